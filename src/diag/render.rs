@@ -1,0 +1,157 @@
+use annotate_snippets::{AnnotationKind, Group, Level, Patch, Renderer, Snippet};
+use serde::Serialize;
+
+use super::{Diagnostic, Severity, SourceMap, Span};
+
+/// How findings are drawn on a terminal.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Style {
+    /// Text only.
+    #[default]
+    Plain,
+    /// With ANSI colours.
+    Coloured,
+}
+
+/// A finding with its excerpt of the source, ending in a line feed.
+#[must_use]
+pub fn render_text(diagnostic: &Diagnostic, sources: &SourceMap, style: Style) -> String {
+    let level = match diagnostic.severity() {
+        Severity::Error => Level::ERROR,
+        Severity::Warning => Level::WARNING,
+    };
+    let title = level
+        .primary_title(diagnostic.message.as_str())
+        .id(diagnostic.code.as_str());
+    let mut main = Group::with_title(title);
+    if let Some(primary) = diagnostic.primary {
+        for (file, marks) in marks_by_file(diagnostic, primary) {
+            let source = sources.file(file);
+            let mut snippet = Snippet::source(source.text.as_str()).path(source.name.as_str());
+            for (span, kind, label) in marks {
+                let range = visible(span, &source.text);
+                let mark = kind.span(range);
+                snippet = snippet.annotation(if label.is_empty() {
+                    mark
+                } else {
+                    mark.label(label)
+                });
+            }
+            main = main.element(snippet);
+        }
+    }
+    for note in &diagnostic.notes {
+        main = main.element(Level::NOTE.message(note.as_str()));
+    }
+    let mut groups = Vec::new();
+    match (&diagnostic.fix, &diagnostic.help) {
+        (Some(fix), help) => {
+            let text = &sources.file(fix.span.file).text;
+            let patch = Patch::new(visible(fix.span, text), fix.text.as_str());
+            let title = help.as_deref().unwrap_or("write");
+            groups.push(
+                Group::with_title(Level::HELP.secondary_title(title))
+                    .element(Snippet::source(text.as_str()).patch(patch)),
+            );
+        }
+        (None, Some(help)) => main = main.element(Level::HELP.message(help.as_str())),
+        (None, None) => {}
+    }
+    groups.insert(0, main);
+    let renderer = match style {
+        Style::Plain => Renderer::plain(),
+        Style::Coloured => Renderer::styled(),
+    };
+    let mut text = renderer.render(&groups).to_string();
+    text.push('\n');
+    text
+}
+
+type Mark<'a> = (Span, AnnotationKind, &'a str);
+
+/// The primary mark first, then the related ones, gathered file by file.
+fn marks_by_file(diagnostic: &Diagnostic, primary: Span) -> Vec<(super::FileId, Vec<Mark<'_>>)> {
+    let mut files: Vec<(super::FileId, Vec<Mark<'_>>)> = vec![(
+        primary.file,
+        vec![(primary, AnnotationKind::Primary, diagnostic.label.as_str())],
+    )];
+    for (span, remark) in &diagnostic.related {
+        let mark = (*span, AnnotationKind::Context, remark.as_str());
+        match files.iter_mut().find(|(file, _)| *file == span.file) {
+            Some((_, marks)) => marks.push(mark),
+            None => files.push((span.file, vec![mark])),
+        }
+    }
+    files
+}
+
+/// The span as a range inside the text, on character boundaries.
+fn visible(span: Span, text: &str) -> std::ops::Range<usize> {
+    let snap = |mut offset: usize| {
+        offset = offset.min(text.len());
+        while !text.is_char_boundary(offset) {
+            offset -= 1;
+        }
+        offset
+    };
+    let start = snap(span.start as usize);
+    start..snap(span.end as usize).max(start)
+}
+
+#[derive(Serialize)]
+struct JsonSpan {
+    start: u32,
+    end: u32,
+    line: usize,
+    column: usize,
+}
+
+#[derive(Serialize)]
+struct JsonFix<'a> {
+    span: JsonSpan,
+    text: &'a str,
+}
+
+#[derive(Serialize)]
+struct JsonDiagnostic<'a> {
+    code: &'a str,
+    severity: &'a str,
+    message: &'a str,
+    file: Option<&'a str>,
+    span: Option<JsonSpan>,
+    notes: Vec<&'a str>,
+    fix: Option<JsonFix<'a>>,
+}
+
+/// A finding as one line of JSON, without the line feed. The help line is its last note.
+#[must_use]
+pub fn render_json(diagnostic: &Diagnostic, sources: &SourceMap) -> String {
+    let place = |span: Span| {
+        let (line, column) = sources.position(span);
+        JsonSpan {
+            start: span.start,
+            end: span.end,
+            line,
+            column,
+        }
+    };
+    let notes = diagnostic.notes.iter().chain(&diagnostic.help);
+    let object = JsonDiagnostic {
+        code: diagnostic.code.as_str(),
+        severity: match diagnostic.severity() {
+            Severity::Error => "error",
+            Severity::Warning => "warning",
+        },
+        message: &diagnostic.message,
+        file: diagnostic
+            .primary
+            .map(|span| sources.file(span.file).name.as_str()),
+        span: diagnostic.primary.map(place),
+        notes: notes.map(String::as_str).collect(),
+        fix: diagnostic.fix.as_ref().map(|fix| JsonFix {
+            span: place(fix.span),
+            text: &fix.text,
+        }),
+    };
+    serde_json::to_string(&object).unwrap_or_default()
+}

@@ -1,0 +1,7 @@
+//! sweepc
+#![doc = include_str!("ARCHITECTURE.md")]
+
+pub mod diag;
+pub mod number;
+pub mod poly;
+pub mod syntax;
