@@ -1,0 +1,93 @@
+use std::cmp::Ordering;
+use std::fmt::{Debug, Display};
+
+use super::{Integer, Residue};
+
+/// The numerators of a [`Field`]: an integral domain in which every element of the field stands
+/// over a rational integer.
+///
+/// For the rationals this is ℤ; for ℚ(√a)(√b)… it is ℤ[√a, √b, …] with integral radicands.
+pub trait Ring: Clone + PartialEq + Eq + Debug + Send + Sync + 'static {
+    /// Whether Gauss's lemma holds: what a primitive polynomial divides over the field, it
+    /// divides over the ring.
+    const GAUSS: bool;
+
+    /// 0
+    fn zero() -> Self;
+    /// 1
+    fn one() -> Self;
+    /// The image of a rational integer.
+    fn from_integer(value: &Integer) -> Self;
+    /// Whether it is 0.
+    fn is_zero(&self) -> bool;
+    /// Whether it is 1.
+    fn is_one(&self) -> bool;
+    /// a + b
+    #[must_use]
+    fn plus(&self, other: &Self) -> Self;
+    /// a − b
+    #[must_use]
+    fn minus(&self, other: &Self) -> Self;
+    /// a b
+    #[must_use]
+    fn times(&self, other: &Self) -> Self;
+    /// a += b c
+    fn add_product(&mut self, left: &Self, right: &Self);
+    /// −a
+    #[must_use]
+    fn negated(&self) -> Self;
+    /// a n for a rational integer n
+    #[must_use]
+    fn scaled(&self, factor: &Integer) -> Self;
+    /// a / n for a rational integer n that divides the content of a
+    #[must_use]
+    fn divided(&self, divisor: &Integer) -> Self;
+    /// a / b if that lies in the ring; b is not 0
+    fn quotient(&self, divisor: &Self) -> Option<Self>;
+    /// The greatest rational integer that divides a; it is not negative, and 0 for 0.
+    fn content(&self) -> Integer;
+    /// The sign of the real number.
+    fn sign(&self) -> Ordering;
+    /// The image in the prime field of [`Residue`], a ring homomorphism; none if the field has
+    /// no such image.
+    fn residue(&self) -> Option<Residue>;
+    /// The size of the largest rational integer in it.
+    fn bits(&self) -> u64;
+}
+
+/// A real field with exact arithmetic and decidable sign.
+///
+/// Values are canonical: equal numbers compare equal.
+pub trait Field: Clone + PartialEq + Eq + Ord + Debug + Display + Send + Sync + 'static {
+    /// The numerators.
+    type Ring: Ring;
+
+    /// numerator / denominator; the denominator is not 0
+    fn from_parts(numerator: Self::Ring, denominator: Integer) -> Self;
+    /// The numerator and the positive denominator, in lowest terms.
+    fn parts(&self) -> (Self::Ring, Integer);
+    /// 0
+    fn zero() -> Self;
+    /// 1
+    fn one() -> Self;
+    /// Whether it is 0.
+    fn is_zero(&self) -> bool;
+    /// a + b
+    #[must_use]
+    fn plus(&self, other: &Self) -> Self;
+    /// a − b
+    #[must_use]
+    fn minus(&self, other: &Self) -> Self;
+    /// a b
+    #[must_use]
+    fn times(&self, other: &Self) -> Self;
+    /// −a
+    #[must_use]
+    fn negated(&self) -> Self;
+    /// 1 / a; none for 0
+    fn inverse(&self) -> Option<Self>;
+    /// The sign of the real number.
+    fn sign(&self) -> Ordering;
+    /// The root that is not negative, if it lies in the field.
+    fn square_root(&self) -> Option<Self>;
+}

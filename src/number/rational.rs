@@ -1,0 +1,235 @@
+use std::cmp::Ordering;
+use std::fmt;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::str::FromStr;
+
+use num_rational::BigRational;
+use num_traits::{One, Pow, Signed, Zero};
+
+use super::{Field, Integer};
+
+/// A rational number in lowest terms with a positive denominator.
+#[derive(Debug, Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Rational(BigRational);
+
+impl Rational {
+    /// numerator / denominator; the denominator is not 0
+    #[must_use]
+    pub fn new(numerator: Integer, denominator: Integer) -> Self {
+        Self(BigRational::new(numerator, denominator))
+    }
+
+    /// The numerator, with the sign.
+    #[must_use]
+    pub fn numerator(&self) -> &Integer {
+        self.0.numer()
+    }
+
+    /// The positive denominator.
+    #[must_use]
+    pub fn denominator(&self) -> &Integer {
+        self.0.denom()
+    }
+
+    /// The number as a small integer, if it is one.
+    #[must_use]
+    pub fn to_i64(&self) -> Option<i64> {
+        self.0
+            .is_integer()
+            .then(|| i64::try_from(self.numerator()).ok())?
+    }
+
+    /// a^n; none for 0 to a negative power
+    #[must_use]
+    pub fn power(&self, exponent: i64) -> Option<Self> {
+        if Zero::is_zero(&self.0) && exponent < 0 {
+            return None;
+        }
+        let exponent = i32::try_from(exponent).ok()?;
+        Some(Self(self.0.clone().pow(exponent)))
+    }
+
+    /// The number that a literal `digits[.digits][e[±]digits]` denotes; none if it is malformed
+    /// or its exponent exceeds `limit` in absolute value.
+    #[must_use]
+    pub fn from_literal(literal: &str, limit: u32) -> Option<Self> {
+        let (mantissa, exponent) = match literal.split_once(['e', 'E']) {
+            Some((mantissa, exponent)) => (mantissa, exponent.parse::<i64>().ok()?),
+            None => (literal, 0),
+        };
+        if exponent.unsigned_abs() > u64::from(limit) {
+            return None;
+        }
+        let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+        let digits = Integer::from_str(&format!("{whole}{fraction}")).ok()?;
+        let shift = exponent - i64::try_from(fraction.len()).ok()?;
+        let power = Pow::pow(Integer::from(10), u32::try_from(shift.unsigned_abs()).ok()?);
+        Some(if shift < 0 {
+            Self::new(digits, power)
+        } else {
+            Self::new(digits * power, One::one())
+        })
+    }
+
+    /// The size of the larger of numerator and denominator.
+    #[must_use]
+    pub fn bits(&self) -> u64 {
+        self.numerator().bits().max(self.denominator().bits())
+    }
+}
+
+impl Field for Rational {
+    type Ring = Integer;
+
+    fn from_parts(numerator: Integer, denominator: Integer) -> Self {
+        Self::new(numerator, denominator)
+    }
+
+    fn parts(&self) -> (Integer, Integer) {
+        (self.numerator().clone(), self.denominator().clone())
+    }
+
+    fn zero() -> Self {
+        Self(Zero::zero())
+    }
+
+    fn one() -> Self {
+        Self(One::one())
+    }
+
+    fn is_zero(&self) -> bool {
+        Zero::is_zero(&self.0)
+    }
+
+    fn plus(&self, other: &Self) -> Self {
+        Self(&self.0 + &other.0)
+    }
+
+    fn minus(&self, other: &Self) -> Self {
+        Self(&self.0 - &other.0)
+    }
+
+    fn times(&self, other: &Self) -> Self {
+        Self(&self.0 * &other.0)
+    }
+
+    fn negated(&self) -> Self {
+        Self(-&self.0)
+    }
+
+    fn inverse(&self) -> Option<Self> {
+        (!Zero::is_zero(&self.0)).then(|| Self(self.0.recip()))
+    }
+
+    fn sign(&self) -> Ordering {
+        self.0.cmp(&Zero::zero())
+    }
+
+    fn square_root(&self) -> Option<Self> {
+        if self.0.is_negative() {
+            return None;
+        }
+        let root = Self(BigRational::new_raw(
+            self.numerator().sqrt(),
+            self.denominator().sqrt(),
+        ));
+        (root.times(&root) == *self).then_some(root)
+    }
+}
+
+impl From<i64> for Rational {
+    fn from(value: i64) -> Self {
+        Self(BigRational::from_integer(value.into()))
+    }
+}
+
+impl From<Integer> for Rational {
+    fn from(value: Integer) -> Self {
+        Self(BigRational::from_integer(value))
+    }
+}
+
+/// `p` or `p/q` in lowest terms.
+impl fmt::Display for Rational {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(&self.0, formatter)
+    }
+}
+
+/// Reads `7`, `-3/2`, `0.25`, `1.5e-3`.
+impl FromStr for Rational {
+    type Err = ();
+
+    fn from_str(text: &str) -> Result<Self, ()> {
+        let read = |part: &str| {
+            let (sign, digits) = match part.strip_prefix(['-', '−']) {
+                Some(digits) => (-1, digits),
+                None => (1, part.strip_prefix('+').unwrap_or(part)),
+            };
+            if !digits.starts_with(|first: char| first.is_ascii_digit()) {
+                return Err(());
+            }
+            let value = Self::from_literal(digits, 4_096).ok_or(())?;
+            Ok(Self::from(sign).times(&value))
+        };
+        match text.split_once('/') {
+            None => read(text.trim()),
+            Some((numerator, denominator)) => {
+                let denominator = read(denominator.trim())?.inverse().ok_or(())?;
+                Ok(read(numerator.trim())?.times(&denominator))
+            }
+        }
+    }
+}
+
+macro_rules! operator {
+    ($trait:ident, $method:ident, $symbol:tt) => {
+        impl $trait<&Rational> for &Rational {
+            type Output = Rational;
+            fn $method(self, other: &Rational) -> Rational {
+                Rational(&self.0 $symbol &other.0)
+            }
+        }
+    };
+}
+
+operator!(Add, add, +);
+operator!(Sub, sub, -);
+operator!(Mul, mul, *);
+operator!(Div, div, /);
+
+impl Neg for &Rational {
+    type Output = Rational;
+    fn neg(self) -> Rational {
+        Rational(-&self.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn literals_are_exact() {
+        let read = |text: &str| text.parse::<Rational>().map(|value| value.to_string());
+        assert_eq!(read("0.8").as_deref(), Ok("4/5"));
+        assert_eq!(read("1.5e-3").as_deref(), Ok("3/2000"));
+        assert_eq!(read("-6/4").as_deref(), Ok("-3/2"));
+        assert_eq!(read("2e3").as_deref(), Ok("2000"));
+        assert_eq!(read("1/0"), Err(()));
+        assert_eq!(read("x"), Err(()));
+        assert_eq!(Rational::from_literal("1e5000", 4096), None);
+    }
+
+    #[test]
+    fn roots_are_exact_or_refused() {
+        let root = |text: &str| text.parse::<Rational>().ok()?.square_root();
+        assert_eq!(
+            root("9/4").map(|root| root.to_string()).as_deref(),
+            Some("3/2")
+        );
+        assert_eq!(root("2"), None);
+        assert_eq!(root("-4"), None);
+        assert_eq!(root("0"), Some(Rational::from(0)));
+    }
+}

@@ -1,0 +1,484 @@
+use std::fmt;
+use std::ops::{Add, Mul, Neg, Sub};
+
+use crate::number::{Field, Integer, Ring, gcd, lcm};
+
+/// A polynomial in one variable, Σ (nᵢ / d) xⁱ.
+///
+/// Canonical: the last numerator is not 0, d > 0, and no integer above 1 divides d and all
+/// numerators; so equality of values is equality of representations. The zero polynomial has no
+/// numerators, and no degree.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct UniPoly<F: Field> {
+    numerators: Vec<F::Ring>,
+    denominator: Integer,
+}
+
+impl<F: Field> UniPoly<F> {
+    /// Σ (nᵢ / d) xⁱ from ascending numerators; d is not 0.
+    #[must_use]
+    pub fn from_numerators(numerators: Vec<F::Ring>, denominator: Integer) -> Self {
+        let mut polynomial = Self {
+            numerators,
+            denominator,
+        };
+        polynomial.normalise();
+        polynomial
+    }
+
+    /// Σ cᵢ xⁱ from ascending coefficients.
+    #[must_use]
+    pub fn from_coefficients(coefficients: &[F]) -> Self {
+        let parts: Vec<_> = coefficients.iter().map(Field::parts).collect();
+        let denominator = parts
+            .iter()
+            .fold(Integer::one(), |common, (_, denominator)| {
+                lcm(&common, denominator)
+            });
+        let numerators = parts
+            .iter()
+            .map(|(numerator, own)| numerator.scaled(&(&denominator / own)))
+            .collect();
+        Self::from_numerators(numerators, denominator)
+    }
+
+    /// 0
+    #[must_use]
+    pub fn zero() -> Self {
+        Self {
+            numerators: Vec::new(),
+            denominator: Integer::one(),
+        }
+    }
+
+    /// 1
+    #[must_use]
+    pub fn one() -> Self {
+        Self::constant(&F::one())
+    }
+
+    /// x
+    #[must_use]
+    pub fn variable() -> Self {
+        Self::from_numerators(vec![F::Ring::zero(), F::Ring::one()], Integer::one())
+    }
+
+    /// The constant polynomial c.
+    #[must_use]
+    pub fn constant(value: &F) -> Self {
+        Self::from_coefficients(std::slice::from_ref(value))
+    }
+
+    /// The degree; none for 0.
+    #[must_use]
+    pub fn degree(&self) -> Option<usize> {
+        self.numerators.len().checked_sub(1)
+    }
+
+    /// Whether it is 0.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        self.numerators.is_empty()
+    }
+
+    /// Whether it is a constant, 0 included.
+    #[must_use]
+    pub fn is_constant(&self) -> bool {
+        self.numerators.len() <= 1
+    }
+
+    /// The numerators nᵢ, ascending.
+    #[must_use]
+    pub fn numerators(&self) -> &[F::Ring] {
+        &self.numerators
+    }
+
+    /// The common denominator d.
+    #[must_use]
+    pub fn denominator(&self) -> &Integer {
+        &self.denominator
+    }
+
+    /// The coefficient of xⁱ.
+    #[must_use]
+    pub fn coefficient(&self, power: usize) -> F {
+        match self.numerators.get(power) {
+            Some(numerator) => F::from_parts(numerator.clone(), self.denominator.clone()),
+            None => F::zero(),
+        }
+    }
+
+    /// All coefficients, ascending.
+    #[must_use]
+    pub fn coefficients(&self) -> Vec<F> {
+        (0..self.numerators.len())
+            .map(|power| self.coefficient(power))
+            .collect()
+    }
+
+    /// The coefficient of the highest power; 0 for 0.
+    #[must_use]
+    pub fn leading_coefficient(&self) -> F {
+        self.degree()
+            .map_or_else(F::zero, |degree| self.coefficient(degree))
+    }
+
+    /// c p(x)
+    #[must_use]
+    pub fn scale(&self, factor: &F) -> Self {
+        let (numerator, denominator) = factor.parts();
+        let scaled = self.numerators.iter().map(|own| own.times(&numerator));
+        Self::from_numerators(scaled.collect(), &self.denominator * denominator)
+    }
+
+    /// xⁿ p(x)
+    #[must_use]
+    pub fn shift(&self, power: usize) -> Self {
+        if self.is_zero() {
+            return Self::zero();
+        }
+        let mut numerators = vec![F::Ring::zero(); power];
+        numerators.extend_from_slice(&self.numerators);
+        Self {
+            numerators,
+            denominator: self.denominator.clone(),
+        }
+    }
+
+    /// p(x)ⁿ
+    #[must_use]
+    pub fn power(&self, exponent: u32) -> Self {
+        let mut result = Self::one();
+        for bit in (0..u32::BITS - exponent.leading_zeros()).rev() {
+            result = &result * &result;
+            if exponent >> bit & 1 == 1 {
+                result = &result * self;
+            }
+        }
+        result
+    }
+
+    /// p′(x)
+    #[must_use]
+    pub fn derivative(&self) -> Self {
+        let numerators = self.numerators.iter().enumerate().skip(1);
+        let numerators = numerators.map(|(power, own)| own.scaled(&Integer::from(power)));
+        Self::from_numerators(numerators.collect(), self.denominator.clone())
+    }
+
+    /// The polynomial P with P′ = p and P(0) = 0.
+    #[must_use]
+    pub fn antiderivative(&self) -> Self {
+        let coefficients: Vec<F> = std::iter::once(F::zero())
+            .chain(self.numerators.iter().enumerate().map(|(power, own)| {
+                F::from_parts(own.clone(), &self.denominator * Integer::from(power + 1))
+            }))
+            .collect();
+        Self::from_coefficients(&coefficients)
+    }
+
+    /// p(x) at a number, by Horner's rule on numerator and denominator.
+    #[must_use]
+    pub fn evaluate(&self, at: &F) -> F {
+        let (numerator, denominator) = at.parts();
+        let mut value = F::Ring::zero();
+        let mut power = Integer::one();
+        for (step, own) in self.numerators.iter().rev().enumerate() {
+            if step > 0 {
+                power *= &denominator;
+            }
+            value = value.times(&numerator).plus(&own.scaled(&power));
+        }
+        F::from_parts(value, &self.denominator * power)
+    }
+
+    /// p(q(x))
+    #[must_use]
+    pub fn compose(&self, inner: &Self) -> Self {
+        self.coefficients()
+            .iter()
+            .rev()
+            .fold(Self::zero(), |value, own| {
+                &(&value * inner) + &Self::constant(own)
+            })
+    }
+
+    /// p / lc(p); 0 for 0
+    #[must_use]
+    pub fn monic(&self) -> Self {
+        match self.leading_coefficient().inverse() {
+            Some(inverse) => self.scale(&inverse),
+            None => Self::zero(),
+        }
+    }
+
+    /// The multiple whose numerators are coprime integers over 1, of positive leading
+    /// coefficient: the normal form up to factors of the field. 0 for 0.
+    ///
+    /// Over a field other than the rationals the leading coefficient is first made rational.
+    #[must_use]
+    pub fn primitive(&self) -> Self {
+        let base = if F::Ring::GAUSS {
+            self.clone()
+        } else {
+            self.monic()
+        };
+        let content = base.content();
+        if content.is_zero() {
+            return Self::zero();
+        }
+        let negative = base.leading_coefficient().sign().is_lt();
+        let divisor = if negative { -content } else { content };
+        let numerators = base.numerators.iter().map(|own| own.divided(&divisor));
+        Self {
+            numerators: numerators.collect(),
+            denominator: Integer::one(),
+        }
+    }
+
+    /// The greatest integer that divides every numerator; 0 for 0.
+    #[must_use]
+    pub fn content(&self) -> Integer {
+        let mut content = Integer::zero();
+        for numerator in self.numerators.iter().rev() {
+            content = gcd(&content, &numerator.content());
+            if content.is_one() {
+                break;
+            }
+        }
+        content
+    }
+
+    /// Quotient and remainder; none if the divisor is 0.
+    #[must_use]
+    pub fn div_rem(&self, divisor: &Self) -> Option<(Self, Self)> {
+        let inverse = divisor.leading_coefficient().inverse()?;
+        let low = divisor.degree()?;
+        let Some(steps) = self.degree().and_then(|high| high.checked_sub(low)) else {
+            return Some((Self::zero(), self.clone()));
+        };
+        let monic = divisor.scale(&inverse);
+        // With the monic divisor m / e every step multiplies the remainder by e only.
+        let (body, lead) = (&monic.numerators, &monic.denominator);
+        let mut remainder = self.numerators.clone();
+        let mut denominator = self.denominator.clone();
+        let mut quotient = vec![F::zero(); steps + 1];
+        for step in (0..=steps).rev() {
+            let top = remainder[step + low].clone();
+            quotient[step] = F::from_parts(top.clone(), denominator.clone());
+            if top.is_zero() {
+                continue;
+            }
+            denominator *= lead;
+            for (index, own) in remainder.iter_mut().enumerate() {
+                *own = own.scaled(lead);
+                if (step..=step + low).contains(&index) {
+                    *own = own.minus(&top.times(&body[index - step]));
+                }
+            }
+        }
+        remainder.truncate(low);
+        let quotient = Self::from_coefficients(&quotient).scale(&inverse);
+        Some((quotient, Self::from_numerators(remainder, denominator)))
+    }
+
+    /// The quotient if the divisor divides; none if it does not, or is 0.
+    #[must_use]
+    pub fn exact_div(&self, divisor: &Self) -> Option<Self> {
+        if divisor.is_constant() {
+            return Some(self.scale(&divisor.leading_coefficient().inverse()?));
+        }
+        if self.is_zero() {
+            return Some(Self::zero());
+        }
+        match self.ring_quotient(divisor) {
+            Some(quotient) => Some(quotient),
+            None if F::Ring::GAUSS => None,
+            None => {
+                let (quotient, remainder) = self.div_rem(divisor)?;
+                remainder.is_zero().then_some(quotient)
+            }
+        }
+    }
+
+    /// Long division of the numerators by the divisor's primitive numerators inside the ring.
+    fn ring_quotient(&self, divisor: &Self) -> Option<Self> {
+        let low = divisor.degree()?;
+        let steps = self.degree()?.checked_sub(low)?;
+        let content = divisor.content();
+        let body: Vec<_> = divisor
+            .numerators
+            .iter()
+            .map(|own| own.divided(&content))
+            .collect();
+        let mut remainder = self.numerators.clone();
+        let mut quotient = vec![F::Ring::zero(); steps + 1];
+        for step in (0..=steps).rev() {
+            let digit = remainder[step + low].quotient(&body[low])?;
+            if !digit.is_zero() {
+                let negated = digit.negated();
+                for (index, own) in body.iter().enumerate() {
+                    remainder[step + index].add_product(&negated, own);
+                }
+            }
+            quotient[step] = digit;
+        }
+        if !remainder[..low].iter().all(Ring::is_zero) {
+            return None;
+        }
+        let scale = quotient
+            .into_iter()
+            .map(|own| own.scaled(&divisor.denominator));
+        Some(Self::from_numerators(
+            scale.collect(),
+            &self.denominator * content,
+        ))
+    }
+
+    /// Brings the representation to its canonical form.
+    fn normalise(&mut self) {
+        while self.numerators.last().is_some_and(Ring::is_zero) {
+            self.numerators.pop();
+        }
+        let mut common = self.denominator.clone();
+        for numerator in self.numerators.iter().rev() {
+            if common.is_one() {
+                return;
+            }
+            common = gcd(&common, &numerator.content());
+        }
+        if Ring::sign(&self.denominator).is_lt() {
+            common = -common;
+        }
+        if !common.is_one() {
+            self.denominator = &self.denominator / &common;
+            for numerator in &mut self.numerators {
+                *numerator = numerator.divided(&common);
+            }
+        }
+    }
+
+    fn combine(&self, other: &Self, add: impl Fn(&F::Ring, &F::Ring) -> F::Ring) -> Self {
+        let common = lcm(&self.denominator, &other.denominator);
+        let (left, right) = (&common / &self.denominator, &common / &other.denominator);
+        let zero = F::Ring::zero();
+        let length = self.numerators.len().max(other.numerators.len());
+        let at = |list: &[F::Ring], index: usize, factor: &Integer| {
+            let value = list.get(index).unwrap_or(&zero);
+            if factor.is_one() {
+                value.clone()
+            } else {
+                value.scaled(factor)
+            }
+        };
+        let numerators = (0..length)
+            .map(|index| {
+                add(
+                    &at(&self.numerators, index, &left),
+                    &at(&other.numerators, index, &right),
+                )
+            })
+            .collect();
+        Self::from_numerators(numerators, common)
+    }
+}
+
+impl<F: Field> Add for &UniPoly<F> {
+    type Output = UniPoly<F>;
+    fn add(self, other: Self) -> UniPoly<F> {
+        self.combine(other, Ring::plus)
+    }
+}
+
+impl<F: Field> Sub for &UniPoly<F> {
+    type Output = UniPoly<F>;
+    fn sub(self, other: Self) -> UniPoly<F> {
+        self.combine(other, Ring::minus)
+    }
+}
+
+impl<F: Field> Neg for &UniPoly<F> {
+    type Output = UniPoly<F>;
+    fn neg(self) -> UniPoly<F> {
+        UniPoly {
+            numerators: self.numerators.iter().map(Ring::negated).collect(),
+            denominator: self.denominator.clone(),
+        }
+    }
+}
+
+impl<F: Field> Mul for &UniPoly<F> {
+    type Output = UniPoly<F>;
+    fn mul(self, other: Self) -> UniPoly<F> {
+        if self.is_zero() || other.is_zero() {
+            return UniPoly::zero();
+        }
+        let length = self.numerators.len() + other.numerators.len() - 1;
+        let mut product = vec![F::Ring::zero(); length];
+        for (i, left) in self
+            .numerators
+            .iter()
+            .enumerate()
+            .filter(|(_, own)| !own.is_zero())
+        {
+            for (j, right) in other.numerators.iter().enumerate() {
+                product[i + j].add_product(left, right);
+            }
+        }
+        UniPoly::from_numerators(product, &self.denominator * &other.denominator)
+    }
+}
+
+/// `2/3 x^2 - x + 1`, with the variable `x`; see [`UniPoly::display`] for another.
+impl<F: Field> fmt::Display for UniPoly<F> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&self.display("x"))
+    }
+}
+
+impl<F: Field> UniPoly<F> {
+    /// The polynomial in a named variable, highest power first, as one reads it in a paper.
+    #[must_use]
+    pub fn display(&self, variable: &str) -> String {
+        let mut text = String::new();
+        for power in (0..self.numerators.len()).rev() {
+            let coefficient = self.coefficient(power);
+            if coefficient.is_zero() {
+                continue;
+            }
+            let negative = coefficient.sign().is_lt();
+            text.push_str(match (text.is_empty(), negative) {
+                (true, true) => "-",
+                (true, false) => "",
+                (false, true) => " - ",
+                (false, false) => " + ",
+            });
+            let magnitude = if negative {
+                coefficient.negated()
+            } else {
+                coefficient
+            };
+            let monomial = match power {
+                0 => String::new(),
+                1 => variable.to_owned(),
+                _ => format!("{variable}^{power}"),
+            };
+            let number = magnitude.to_string();
+            let number = if number.contains(' ') {
+                format!("({number})")
+            } else {
+                number
+            };
+            match (monomial.is_empty(), magnitude == F::one()) {
+                (true, _) => text.push_str(&number),
+                (false, true) => text.push_str(&monomial),
+                (false, false) => text.push_str(&format!("{number} {monomial}")),
+            }
+        }
+        if text.is_empty() {
+            "0".to_owned()
+        } else {
+            text
+        }
+    }
+}
