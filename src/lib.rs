@@ -2,6 +2,8 @@
 #![doc = include_str!("ARCHITECTURE.md")]
 
 pub mod diag;
+pub mod export;
+pub mod net;
 pub mod number;
 pub mod poly;
 pub mod syntax;
