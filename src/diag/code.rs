@@ -108,6 +108,7 @@ codes! {
     W1006 "a large ratio of weights",
     W1007 "nothing to build",
     W1008 "control points that become equal as doubles",
+    W1009 "a surface written without its edges",
 }
 
 impl Code {

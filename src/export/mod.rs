@@ -5,7 +5,6 @@
 
 mod approx;
 mod context;
-mod entities;
 mod exported;
 mod fault;
 mod json;

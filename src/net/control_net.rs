@@ -73,6 +73,18 @@ impl ControlNet {
         Self::new(knots_u, knots_v, weights, points)
     }
 
+    /// The same control points over other knots; none if those ask for another number of points.
+    #[must_use]
+    pub fn with_knots(&self, knots_u: Knots, knots_v: Knots) -> Option<Self> {
+        let same =
+            knots_u.control_points() == self.rows() && knots_v.control_points() == self.columns();
+        same.then(|| Self {
+            knots_u,
+            knots_v,
+            ..self.clone()
+        })
+    }
+
     /// The bidegree.
     #[must_use]
     pub fn degree(&self) -> BiDegree {

@@ -49,6 +49,24 @@ impl Knots {
         &self.values
     }
 
+    /// The first knot and the last.
+    #[must_use]
+    pub fn domain(&self) -> (&Real, &Real) {
+        (&self.values[0], &self.values[self.values.len() - 1])
+    }
+
+    /// The same knots counted from 0 to 1: an affine change of the parameter.
+    #[must_use]
+    pub fn normalised(&self) -> Self {
+        let (from, to) = self.domain();
+        let scale = to.minus(from).inverse().unwrap_or_else(Real::one);
+        let values = self.values.iter().map(|own| own.minus(from).times(&scale));
+        Self {
+            degree: self.degree,
+            values: values.collect(),
+        }
+    }
+
     /// The different knots and how often each is repeated.
     #[must_use]
     pub fn multiplicities(&self) -> Vec<(&Real, usize)> {
