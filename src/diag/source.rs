@@ -65,7 +65,11 @@ impl SourceMap {
                 line_start = index + 1;
             }
         }
-        let column = before[line_start..].trim_start_matches('\u{feff}').chars().count() + 1;
+        let column = before[line_start..]
+            .trim_start_matches('\u{feff}')
+            .chars()
+            .count()
+            + 1;
         (line, column)
     }
 }
