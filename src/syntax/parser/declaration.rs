@@ -9,7 +9,7 @@ use super::piece::{Brackets, bracketed, comma, keyword, name, token};
 use super::stream::Stream;
 use crate::diag::{Code, Diagnostic, Span};
 use crate::syntax::ast::{Declaration, Expr, Interval, Item, Name, Plane, Relation, Role};
-use crate::syntax::lexer::{Keyword, TokenKind};
+use crate::syntax::lexer::{Keyword, TokenKind, clipped};
 
 /// One declaration, from its keyword on. Every error behind the keyword is final.
 pub(super) fn declaration(input: Stream<'_>) -> Parsed<'_, Item> {
@@ -221,6 +221,7 @@ fn expectation(input: Stream<'_>) -> Parsed<'_, Declaration> {
 }
 
 fn relation(input: Stream<'_>) -> Parsed<'_, Relation> {
+    let after = input.take_from(1);
     let relation = match input.kind() {
         TokenKind::DoubleEqual => Relation::Equal,
         TokenKind::NotEqual => Relation::NotEqual,
@@ -229,16 +230,22 @@ fn relation(input: Stream<'_>) -> Parsed<'_, Relation> {
         TokenKind::Greater => Relation::Greater,
         TokenKind::GreaterOrEqual => Relation::GreaterOrEqual,
         TokenKind::Equal => {
-            let message = "an expectation compares with `==`, found `=`";
-            let finding = Diagnostic::new(Code::E0006, input.span(), message);
+            let rest = match after.kind() {
+                TokenKind::Equal => after.take_from(1),
+                _ => after,
+            };
+            let span = input.span_until(rest);
+            let found = clipped(input.source.slice(span));
+            let message = format!("an expectation compares with `==`, found `{found}`");
+            let finding = Diagnostic::new(Code::E0006, span, message);
             input
                 .source
-                .report(finding.help("write `==`").fix(input.span(), "=="));
-            Relation::Equal
+                .report(finding.help("write `==`").fix(span, "=="));
+            return Ok((rest, Relation::Equal));
         }
         _ => return expected(input, "a relation"),
     };
-    Ok((input.take_from(1), relation))
+    Ok((after, relation))
 }
 
 /// `"file.sweep"`

@@ -1,5 +1,5 @@
 use nom::combinator::cut;
-use nom::multi::{fold_many0, separated_list0, separated_list1};
+use nom::multi::{fold_many0, separated_list1};
 use nom::{Input, Parser};
 
 use super::fault::{Parsed, expected, told};
@@ -102,8 +102,8 @@ fn number_on_the_right(input: Stream<'_>) -> Diagnostic {
         return finding
             .related(input.source.span(previous), "the factor")
             .help(match input.source.slice(gap).contains(['\n', '\r']) {
-                true => "write `*` between them",
-                false => "digits are not grouped; a product is written with `*`",
+                true => "between two numbers stands `,` or `*`",
+                false => "digits are not grouped; between two numbers stands `,` or `*`",
             });
     }
     finding.help(format!(
@@ -200,65 +200,57 @@ fn raised<'a>(start: Stream<'a>, input: Stream<'a>, base: Expr) -> Parsed<'a, Ex
 
 /// A number, a negated number, a name, a parenthesis; or a power of these, but for the negated one.
 fn exponent(input: Stream<'_>) -> Parsed<'_, Expr> {
-    let refused = |at: Stream<'_>, message: &str, help: &str| {
-        Diagnostic::new(Code::E0009, at.span(), message).help(help)
-    };
-    let after = input.take_from(1);
+    let after = input.take_from(1).kind();
     let (rest, base) = match input.kind() {
-        TokenKind::Number => cut(number).parse(input)?,
-        TokenKind::OpenParenthesis => {
-            let (rest, inner) = parenthesis(input)?;
-            if let ExprKind::Tuple(_) = inner.kind {
-                return told(
-                    input,
-                    refused(
-                        input,
-                        "an exponent is one integer",
-                        "write `^` behind the factor it raises",
-                    ),
-                );
-            }
-            (rest, inner)
-        }
-        TokenKind::Name => match after.kind() {
-            TokenKind::Dot | TokenKind::Prime | TokenKind::DoublePrime => {
-                let message = "an exponent is an integer or the name of a constant";
-                return told(
-                    input,
-                    refused(input, message, "put it in parentheses if it is constant"),
-                );
-            }
-            _ => bare_name(input)?,
-        },
-        TokenKind::Minus if after.kind() == TokenKind::Number => {
-            let (rest, number) = cut(number).parse(after)?;
-            if rest.kind() == TokenKind::Caret {
-                let message = "the sign of a power in an exponent can be read in two ways";
-                return told(
-                    rest,
-                    refused(input, message, "put the exponent in parentheses"),
-                );
-            }
-            let span = input.span_until(rest);
-            let kind = ExprKind::Negate(Box::new(number));
-            return Ok((rest, Expr { span, kind }));
-        }
-        TokenKind::Minus => {
-            let message = "only a number can be negated in an exponent";
-            return told(
-                input,
-                refused(input, message, "put the exponent in parentheses"),
-            );
-        }
+        TokenKind::Number => number(input)?,
+        TokenKind::Minus => return negated_exponent(input),
         TokenKind::Plus => {
             return told(
                 input,
                 refused(input, "an exponent has no `+` sign", "remove it"),
             );
         }
+        TokenKind::OpenParenthesis => {
+            let (rest, inner) = parenthesis(input)?;
+            if let ExprKind::Tuple(_) = inner.kind {
+                let help = "write one integer, `^(…)`";
+                return told(rest, refused(input, "a point is not an exponent", help));
+            }
+            (rest, inner)
+        }
+        TokenKind::Name => match after {
+            TokenKind::Dot | TokenKind::Prime | TokenKind::DoublePrime => {
+                let message = "an exponent is an integer or the name of a constant";
+                return told(input, refused(input, message, "write a number"));
+            }
+            _ => bare_name(input)?,
+        },
         _ => return cut(|input| expected(input, "an exponent")).parse(input),
     };
     raised(input, rest, base)
+}
+
+/// `-2` behind `^`
+fn negated_exponent(input: Stream<'_>) -> Parsed<'_, Expr> {
+    let help = "put the exponent in parentheses";
+    let after = input.take_from(1);
+    if after.kind() != TokenKind::Number {
+        let message = "only a number can be negated in an exponent";
+        return told(input, refused(input, message, help));
+    }
+    let (rest, number) = number(after)?;
+    if rest.kind() == TokenKind::Caret {
+        let message = "the sign of a power in an exponent can be read in two ways";
+        return told(rest, refused(input, message, help));
+    }
+    let span = input.span_until(rest);
+    let kind = ExprKind::Negate(Box::new(number));
+    Ok((rest, Expr { span, kind }))
+}
+
+/// E0009.
+fn refused(at: Stream<'_>, message: &str, help: &str) -> Diagnostic {
+    Diagnostic::new(Code::E0009, at.span(), message).help(help)
 }
 
 fn bare_name(input: Stream<'_>) -> Parsed<'_, Expr> {
@@ -425,7 +417,7 @@ fn list(input: Stream<'_>) -> Parsed<'_, Expr> {
         if input.kind() == TokenKind::CloseBracket {
             return Ok((input, Vec::new()));
         }
-        separated_list0(comma, cut(expression)).parse(input)
+        separated_list1(comma, cut(expression)).parse(input)
     })?;
     let kind = ExprKind::List(entries);
     Ok((rest, Expr { span, kind }))

@@ -138,7 +138,7 @@ fn hint(source: &Source<'_>, at: usize, what: &'static str) -> Option<String> {
         }
         (Text, _) => "a string stands only as an argument and behind `import`",
         (Semicolon, _) => "no `;` is needed",
-        (Equal, "`==`" | "an expression") if before == Equal => "write `==` without a space",
+        (Equal, "an expression") if before == Equal => "a declaration has one `=`",
         (Colon, "`=`") => "write `=`",
         (Prime | DoublePrime, "a string") => "a string stands in double quotes",
         (Keyword(self::Keyword::In), "a unit") => "the units are `mm`, `cm`, `m`, `inch`",
