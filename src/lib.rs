@@ -3,5 +3,7 @@
 
 pub mod diag;
 pub mod number;
+pub mod curve;
 pub mod poly;
+pub mod sweep;
 pub mod syntax;

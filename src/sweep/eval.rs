@@ -139,7 +139,8 @@ impl Jet {
     fn truncate(&self, order: usize) -> Self {
         let mut jet = Self::zero(order);
         for (row, own) in jet.rows.iter_mut().zip(&self.rows) {
-            row.clone_from_slice(&own[..row.len()]);
+            let length = row.len();
+            row.clone_from_slice(&own[..length]);
         }
         jet
     }
