@@ -612,12 +612,14 @@ fn common_slips_have_clear_messages() {
         (Code::E0006, "expect a == b «==» c", "one relation"),
         (Code::E0006, "let a = b«:»", "unexpected `:`"),
         (Code::E0006, "«b» = 2", "`let`"),
-        (Code::E0006, "«proflie» p(u) = (u, u)", "meant as `profile`"),
+        (Code::E0006, "«proflie» p(u) = (u, u)", "write `profile`"),
+        (Code::E0006, "let a = 1\n«surfce» R = a", "write `surface`"),
         (
             Code::E0006,
-            "let a = 1\nsurfce R «=» a",
-            "meant as `surface`",
+            "let a = 1\n«proflie» p(u) in xz = a",
+            "write `profile`",
         ),
+        (Code::E0006, "let a = 1\n«imprt» \"b\"", "write `import`"),
         (Code::E0006, "let a = 1\nb «=» a", "`let`"),
         (Code::E0006, "let «=» 2", "expected a name, found `=`"),
         (Code::E0006, "let a = c.«2»", "expected a name, found `2`"),
@@ -751,6 +753,14 @@ fn every_error_of_a_file_is_reported() {
     assert_eq!(good.count(), slips.len());
     let places: Vec<_> = diagnostics.iter().map(|finding| finding.primary).collect();
     assert!(places.is_sorted());
+}
+
+#[test]
+fn recovery_stops_at_misspelt_keywords() {
+    let codes =
+        findings("let a = )\nproflie p(u) = q\nb = 1\nlet c = 2\nexpct c == 2\nsweep d(v) = (");
+    let places: Vec<_> = codes.iter().map(|(_, marked, _)| marked.as_str()).collect();
+    assert_eq!(places, [")", "proflie", "expct", "("]);
 }
 
 #[test]
