@@ -6,7 +6,7 @@ use nom::{Input, Parser};
 use super::expression::{expression, unquoted};
 use super::fault::{Parsed, decimal_comma, expected, told};
 use super::piece::{Brackets, bracketed, comma, keyword, name, token};
-use super::stream::Stream;
+use super::stream::{Source, Stream};
 use crate::diag::{Code, Diagnostic, Span};
 use crate::syntax::ast::{Declaration, Expr, Interval, Item, Name, Plane, Relation, Role};
 use crate::syntax::lexer::{Keyword, TokenKind, clipped};
@@ -282,6 +282,12 @@ pub(super) fn stray(input: Stream<'_>) -> Option<Diagnostic> {
     let source = input.source;
     let found = source.described(input.first());
     let unexpected = |message: String| Diagnostic::new(Code::E0006, input.span(), message);
+    if input.kind() != Unknown
+        && let Some((index, keyword)) = misspelt_keyword(input)
+    {
+        return Some(misspelt(source, index, keyword));
+    }
+    let missing = "every declaration begins with a keyword; a constant with `let`";
     let help = match input.kind() {
         Unknown => return None,
         Comma => match decimal_comma(source, input.at) {
@@ -291,7 +297,7 @@ pub(super) fn stray(input: Stream<'_>) -> Option<Diagnostic> {
         CloseParenthesis | CloseBracket => {
             return Some(unexpected(format!("{found} closes nothing")));
         }
-        Equal => return Some(unexpected("unexpected `=`".to_owned()).help(missing_keyword(input))),
+        Equal => missing,
         DoubleEqual | NotEqual | Less | LessOrEqual | Greater | GreaterOrEqual => {
             "one relation stands in an `expect`, and nowhere else"
         }
@@ -302,16 +308,16 @@ pub(super) fn stray(input: Stream<'_>) -> Option<Diagnostic> {
         Text => "a string stands only as an argument and behind `import`",
         Dot if source.kind(input.at + 1) == Number => "a number begins with a digit: `0.5`",
         Name => {
-            let finding = unexpected(format!("expected a declaration, found {found}"));
-            return Some(finding.help(missing_keyword(input)));
+            let message = format!("expected a declaration, found {found}");
+            return Some(unexpected(message).help(missing));
         }
         _ => return Some(unexpected(format!("unexpected {found}"))),
     };
     Some(unexpected(format!("unexpected {found}")).help(help))
 }
 
-/// The keyword that the line of a token probably begins with.
-fn missing_keyword(input: Stream<'_>) -> String {
+/// The first word of the line of a token, if it is nearly a keyword, with that keyword.
+pub(super) fn misspelt_keyword(input: Stream<'_>) -> Option<(usize, Keyword)> {
     let source = input.source;
     let offset = input.span().start as usize;
     let before = source.text.get(..offset).unwrap_or_default();
@@ -319,16 +325,31 @@ fn missing_keyword(input: Stream<'_>) -> String {
     let begin = source
         .tokens
         .partition_point(|token| (token.start as usize) < line);
-    let word = source.written(source.token(begin));
-    if word.len() <= 20 && source.kind(begin) == TokenKind::Name {
-        let near = Keyword::ALL
-            .iter()
-            .filter(|keyword| keyword.begins_declaration())
-            .map(|keyword| keyword.as_str())
-            .find(|keyword| word.len() > 2 && strsim::damerau_levenshtein(word, keyword) <= 2);
-        if let Some(keyword) = near {
-            return format!("`{word}` may be meant as `{keyword}`");
-        }
+    Some((begin, nearly_keyword(source, begin)?))
+}
+
+/// The keyword that a name followed by a name or a string was probably meant to be.
+pub(super) fn nearly_keyword(source: &Source<'_>, index: usize) -> Option<Keyword> {
+    let word = source.written(source.token(index));
+    let is_word = source.kind(index) == TokenKind::Name && (3..=20).contains(&word.len());
+    if !is_word || !matches!(source.kind(index + 1), TokenKind::Name | TokenKind::Text) {
+        return None;
     }
-    "every declaration begins with a keyword; a constant with `let`".to_owned()
+    let keywords = Keyword::ALL.iter().copied();
+    keywords
+        .filter(|keyword| keyword.begins_declaration())
+        .map(|keyword| (strsim::damerau_levenshtein(word, keyword.as_str()), keyword))
+        .filter(|(distance, keyword)| *distance <= 1 + usize::from(keyword.as_str().len() > 4))
+        .min_by_key(|(distance, _)| *distance)
+        .map(|(_, keyword)| keyword)
+}
+
+/// E0006 at a misspelt keyword.
+fn misspelt(source: &Source<'_>, index: usize, keyword: Keyword) -> Diagnostic {
+    let (token, keyword) = (source.token(index), keyword.as_str());
+    let span = source.span(token);
+    let message = format!("expected a declaration, found {}", source.described(token));
+    Diagnostic::new(Code::E0006, span, message)
+        .help(format!("write `{keyword}`"))
+        .fix(span, keyword)
 }

@@ -6,7 +6,7 @@ mod fault;
 mod piece;
 mod stream;
 
-use self::declaration::{declaration, stray};
+use self::declaration::{declaration, misspelt_keyword, nearly_keyword, stray};
 use self::fault::Fault;
 use self::stream::{Source, Stream};
 use super::ast::{Document, Name};
@@ -58,16 +58,16 @@ fn item<'a>(input: Stream<'a>, document: &mut Document) -> Stream<'a> {
     match declaration(input) {
         Ok((rest, item)) => {
             let rest = without_semicolons(rest);
-            let at_boundary = rest.kind() == TokenKind::End || source.begins_declaration(rest.at);
-            if rest.kind() == TokenKind::Equal {
-                // the next declaration lost its keyword, and its name went into this value
-                document.broken.extend(declared_name(input));
-                document.broken.extend(name_before(rest));
-            } else {
+            if rest.kind() == TokenKind::End || source.begins_declaration(rest.at) {
                 document.items.push(item);
-            }
-            if at_boundary {
                 return rest;
+            }
+            match swallowed_name(rest) {
+                // the next declaration lost its keyword, and its name went into this value
+                Some(name) => document
+                    .broken
+                    .extend(declared_name(input).into_iter().chain([name])),
+                None => document.items.push(item),
             }
             report_stray(rest);
             recovered(rest, rest.at)
@@ -119,11 +119,15 @@ fn without_semicolons(input: Stream<'_>) -> Stream<'_> {
     rest
 }
 
-/// The first declaration from an index on.
+/// The first declaration from an index on, be it with a misspelt keyword at the start of a line.
 fn recovered(input: Stream<'_>, from: usize) -> Stream<'_> {
     let source = input.source;
-    let next = (from..source.tokens.len())
-        .find(|index| source.kind(*index) == TokenKind::End || source.begins_declaration(*index));
+    let is_boundary = |index: &usize| {
+        source.kind(*index) == TokenKind::End
+            || source.begins_declaration(*index)
+            || (source.begins_line(*index) && nearly_keyword(source, *index).is_some())
+    };
+    let next = (from..source.tokens.len()).find(is_boundary);
     input.moved_to(next.unwrap_or(source.tokens.len()))
 }
 
@@ -133,10 +137,17 @@ fn declared_name(input: Stream<'_>) -> Option<Name> {
     (token.kind == TokenKind::Name).then(|| input.source.name(token))
 }
 
-/// The name that a stray `=` gives a value to: `b` of `b = 2` and of `b(u) = 2u`.
-fn name_before(input: Stream<'_>) -> Option<Name> {
+/// What a declaration without its keyword declares: `b` of `b(u) = 2u` and of `lett b = 2`.
+fn swallowed_name(input: Stream<'_>) -> Option<Name> {
     let source = input.source;
-    let mut index = input.at.checked_sub(1)?;
+    if source.has_enough_errors() {
+        return None;
+    }
+    let mut index = match misspelt_keyword(input) {
+        Some((keyword, _)) => keyword + 1,
+        None if input.kind() == TokenKind::Equal => input.at.checked_sub(1)?,
+        None => return None,
+    };
     if source.kind(index) == TokenKind::CloseParenthesis {
         let is_opener = |index: &usize| source.kind(*index) == TokenKind::OpenParenthesis;
         index = (0..index).rev().find(is_opener)?.checked_sub(1)?;

@@ -111,6 +111,16 @@ impl<'a> Source<'a> {
         self.token(index).end == self.token(index.wrapping_add(1)).start
     }
 
+    /// Whether a line ends between a token and the one before it.
+    pub(super) fn begins_line(&self, index: usize) -> bool {
+        let before = match index.checked_sub(1) {
+            Some(before) => self.token(before).end as usize,
+            None => return true,
+        };
+        let between = self.text.get(before..self.token(index).start as usize);
+        between.is_some_and(|between| between.contains(['\n', '\r']))
+    }
+
     /// Whether a keyword stands where its author meant a name: a name is due, and what follows is
     /// an operator or a closing bracket, with which no declaration goes on.
     pub(super) fn is_misused_keyword(&self, index: usize) -> bool {
