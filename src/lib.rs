@@ -6,4 +6,5 @@ pub mod number;
 pub mod curve;
 pub mod poly;
 pub mod sweep;
+pub mod sema;
 pub mod syntax;

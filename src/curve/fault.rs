@@ -82,6 +82,21 @@ impl Fault {
         }
     }
 
+    /// What to do about it.
+    #[must_use]
+    pub fn help(&self) -> Option<&'static str> {
+        match self {
+            Self::NotPythagorean { .. } => {
+                Some("give the curve by a preimage, `ph(start: P, preimage: [(a, b), …])`, or use only x, y, z")
+            }
+            Self::IrrationalSpeed { .. } => Some("this version computes over the rational numbers"),
+            Self::SpeedChangesSign { .. } => Some("end the domain at the change of sign"),
+            Self::ArcLengthNotRational { .. } => Some("polynomial Pythagorean-hodograph curves have a rational arc length"),
+            Self::NotPlane => Some("give it by pairs and name its plane: `in xy`, `in xz` or `in yz`"),
+            Self::InfiniteArcLength { .. } | Self::NoMotion | Self::StraightLine => None,
+        }
+    }
+
     /// The evidence, in the curve's own parameter.
     #[must_use]
     pub fn evidence(&self, curve: &str, parameter: Parameter) -> Option<String> {
