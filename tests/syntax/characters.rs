@@ -46,6 +46,7 @@ fn look_alikes_are_named() {
         ("let a = 1«２»", "looks like `2`"),
         ("# «\u{202e}» hidden", "U+202E"),
         ("import \"«\u{2066}»\"", "U+2066"),
+        ("# a «\u{feff}»", "U+FEFF"),
         ("let a = 1«\u{feff}»", "U+FEFF"),
     ] {
         let marked = marked.replace("«１２»", "«１»２");

@@ -23,6 +23,8 @@ fn precedence_is_the_usual_one() {
         ("a · b × c", "(** a b c)"),
         ("a − b", "(+ a (- b))"),
         ("1/2u", "(/_ 1 2 u)"),
+        ("0 xF", "(_ 0 xF)"),
+        ("0 x(u)", "(_ 0 (apply x u))"),
         ("2u", "(_ 2 u)"),
         ("x(u) n(v)", "(_ (apply x u) (apply n v))"),
         ("3 (1 - v)^2 v", "(__ 3 (^ (group (+ 1 (- v))) 2) v)"),

@@ -112,3 +112,12 @@ fn names_of_broken_declarations_are_kept() {
     assert_eq!(names("let a = 1\nsurfce f(u) = 2"), ("a f".to_owned(), 0));
     assert_eq!(names("let a = 1 )"), (String::new(), 1));
 }
+
+#[test]
+fn a_declaration_after_an_unfinished_one_is_read() {
+    let (document, diagnostics) = parsed("let a = 2 *\nexpect (b) == c\nlet d = (\nexpect -b == c");
+    let shown = "(expect (group b) == c)\n(expect (+ (- b)) == c)\n";
+    assert_eq!(show_document(&document), shown);
+    let codes = diagnostics.errors().map(|error| error.code);
+    assert_eq!(codes.collect::<Vec<_>>(), [Code::E0006, Code::E0005]);
+}

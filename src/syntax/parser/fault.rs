@@ -41,10 +41,6 @@ impl<'a> ParseError<Stream<'a>> for Fault {
     fn append(_: Stream<'a>, _: ErrorKind, other: Self) -> Self {
         other
     }
-
-    fn or(self, other: Self) -> Self {
-        if self.at() > other.at() { self } else { other }
-    }
 }
 
 /// What a parser over tokens returns.

@@ -73,7 +73,6 @@ fn item<'a>(input: Stream<'a>, document: &mut Document) -> Stream<'a> {
             recovered(rest, rest.at)
         }
         Err(nom::Err::Error(fault) | nom::Err::Failure(fault)) => {
-            source.depth.set(0);
             document.broken.extend(declared_name(input));
             let at = fault.at().max(input.at + 1);
             report(source, fault);
