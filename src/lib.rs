@@ -5,5 +5,8 @@ pub mod diag;
 pub mod export;
 pub mod net;
 pub mod number;
+pub mod curve;
 pub mod poly;
+pub mod sweep;
+pub mod sema;
 pub mod syntax;

@@ -53,6 +53,10 @@ pub trait Ring: Clone + PartialEq + Eq + Debug + Send + Sync + 'static {
     fn residue(&self) -> Option<Residue>;
     /// The size of the largest rational integer in it.
     fn bits(&self) -> u64;
+    /// The element as a rational integer; none if it is not one, or not known to be one.
+    fn as_integer(&self) -> Option<&Integer> {
+        None
+    }
 }
 
 /// A real field with exact arithmetic and decidable sign.
@@ -64,6 +68,10 @@ pub trait Field: Clone + PartialEq + Eq + Ord + Debug + Display + Send + Sync + 
 
     /// numerator / denominator; the denominator is not 0
     fn from_parts(numerator: Self::Ring, denominator: Integer) -> Self;
+    /// The image of a rational integer.
+    fn from_integer(value: &Integer) -> Self {
+        Self::from_parts(Self::Ring::from_integer(value), <Integer as Ring>::one())
+    }
     /// The numerator and the positive denominator, in lowest terms.
     fn parts(&self) -> (Self::Ring, Integer);
     /// 0

@@ -91,4 +91,8 @@ impl Ring for Integer {
     fn bits(&self) -> u64 {
         num_bigint::BigInt::bits(self)
     }
+
+    fn as_integer(&self) -> Option<&Integer> {
+        Some(self)
+    }
 }

@@ -6,11 +6,13 @@
 
 mod field;
 mod integer;
+mod modulus;
 mod rational;
 mod residue;
 
 pub use field::{Field, Ring};
 pub use integer::{Integer, gcd, lcm};
+pub use modulus::Modulus;
 pub use rational::Rational;
 pub use residue::Residue;
 

@@ -39,6 +39,12 @@ impl Rational {
             .then(|| i64::try_from(self.numerator()).ok())?
     }
 
+    /// Whether the denominator is 1.
+    #[must_use]
+    pub fn is_integer(&self) -> bool {
+        self.0.is_integer()
+    }
+
     /// a^n; none for 0 to a negative power
     #[must_use]
     pub fn power(&self, exponent: i64) -> Option<Self> {

@@ -343,7 +343,7 @@ impl<F: Field> UniPoly<F> {
         let mut common = self.denominator.clone();
         for numerator in self.numerators.iter().rev() {
             if common.is_one() {
-                return;
+                break;
             }
             common = gcd(&common, &numerator.content());
         }

@@ -1,0 +1,160 @@
+use super::UniPoly;
+use crate::number::{Field, Integer, Ring, lcm};
+
+/// The Bernstein coefficients bᵢ of p = Σ bᵢ C(n,i) (1−t)ⁿ⁻ⁱ tⁱ, with t = (x − from)/(to − from),
+/// at a degree n not below that of p; a lower n is raised to it.
+///
+/// C(n,i) bᵢ is the coefficient of xⁱ in Σ aₖ xᵏ (1+x)ⁿ⁻ᵏ, where aₖ are the power coefficients
+/// in t: additions only.
+#[must_use]
+pub fn bernstein<F: Field>(polynomial: &UniPoly<F>, degree: usize, from: &F, to: &F) -> Vec<F> {
+    let degree = polynomial.degree().unwrap_or(0).max(degree);
+    let local = polynomial.restrict(from, to);
+    scaled_bernstein(local.numerators(), degree)
+        .into_iter()
+        .zip(binomials(degree))
+        .map(|(own, binomial)| F::from_parts(own, local.denominator() * binomial))
+        .collect()
+}
+
+/// C(n,i) bᵢ on [0, 1] from ascending power coefficients.
+pub(super) fn scaled_bernstein<R: Ring>(powers: &[R], degree: usize) -> Vec<R> {
+    // Highest k last: f ← f (1+x) + aₖ xᵏ, beginning with the constant a₀.
+    let mut expanded = vec![R::zero(); degree + 1];
+    for order in 0..=degree {
+        for index in (1..=order).rev() {
+            expanded[index] = expanded[index].plus(&expanded[index - 1]);
+        }
+        if let Some(own) = powers.get(order) {
+            expanded[order] = expanded[order].plus(own);
+        }
+    }
+    expanded
+}
+
+/// C(n,0), …, C(n,n)
+pub(super) fn binomials(degree: usize) -> Vec<Integer> {
+    let mut row = vec![Integer::from(1)];
+    for index in 0..degree {
+        let next = &row[index] * Integer::from(degree - index) / Integer::from(index + 1);
+        row.push(next);
+    }
+    row
+}
+
+/// Σ bᵢ C(n,i) (1−t)ⁿ⁻ⁱ tⁱ at the local parameter t; 0 for no coefficients.
+#[must_use]
+pub fn de_casteljau<F: Field>(coefficients: &[F], at: &F) -> F {
+    let (left, _) = subdivide(coefficients, at);
+    left.into_iter().next_back().unwrap_or_else(F::zero)
+}
+
+/// The Bernstein coefficients of the same polynomial on [0, t] and on [t, 1].
+///
+/// De Casteljau's triangle bᵢ ← (1−t) bᵢ + t bᵢ₊₁ on integer numerators; its sides are the
+/// coefficients sought.
+#[must_use]
+pub fn subdivide<F: Field>(coefficients: &[F], at: &F) -> (Vec<F>, Vec<F>) {
+    let (mut row, mut denominator) = common_numerators(coefficients);
+    let (weight, scale) = at.parts();
+    let complement = F::Ring::from_integer(&scale).minus(&weight);
+    let (mut left, mut right) = (Vec::new(), Vec::new());
+    while let (Some(first), Some(last)) = (row.first(), row.last()) {
+        left.push(F::from_parts(first.clone(), denominator.clone()));
+        right.push(F::from_parts(last.clone(), denominator.clone()));
+        row = row
+            .windows(2)
+            .map(|pair| {
+                let mut value = pair[0].times(&complement);
+                value.add_product(&pair[1], &weight);
+                value
+            })
+            .collect();
+        denominator *= &scale;
+    }
+    right.reverse();
+    (left, right)
+}
+
+/// The polynomial whose Bernstein coefficients on [from, to] these are; the constant one if the
+/// interval is a point.
+///
+/// aₖ = C(n,k) Δᵏb₀ are the power coefficients in t = (x − from)/(to − from).
+#[must_use]
+pub fn from_bernstein<F: Field>(coefficients: &[F], from: &F, to: &F) -> UniPoly<F> {
+    let Some(degree) = coefficients.len().checked_sub(1) else {
+        return UniPoly::zero();
+    };
+    let Some(inverse) = to.minus(from).inverse() else {
+        return UniPoly::constant(&coefficients[0]);
+    };
+    let (mut row, denominator) = common_numerators(coefficients);
+    let mut powers = Vec::with_capacity(degree + 1);
+    for binomial in binomials(degree) {
+        powers.push(row[0].scaled(&binomial));
+        row = row.windows(2).map(|pair| pair[1].minus(&pair[0])).collect();
+    }
+    // t runs from −from/(to−from) at x = 0 to (1−from)/(to−from) at x = 1.
+    let local = UniPoly::from_numerators(powers, denominator);
+    let start = from.negated().times(&inverse);
+    local.restrict(&start, &start.plus(&inverse))
+}
+
+/// Numerators over one denominator.
+fn common_numerators<F: Field>(values: &[F]) -> (Vec<F::Ring>, Integer) {
+    let parts: Vec<_> = values.iter().map(Field::parts).collect();
+    let common = parts
+        .iter()
+        .fold(Integer::from(1), |common, (_, own)| lcm(&common, own));
+    let numerators = parts
+        .iter()
+        .map(|(numerator, own)| numerator.scaled(&(&common / own)));
+    (numerators.collect(), common)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::Rational;
+
+    fn numbers(values: &[i64]) -> Vec<Rational> {
+        values.iter().copied().map(Rational::from).collect()
+    }
+
+    #[test]
+    fn the_parabola_has_its_textbook_coefficients() {
+        let square = UniPoly::from_coefficients(&numbers(&[0, 0, 1]));
+        let (zero, one, two) = (0.into(), 1.into(), 2.into());
+        assert_eq!(bernstein(&square, 2, &zero, &one), numbers(&[0, 0, 1]));
+        assert_eq!(bernstein(&square, 2, &one, &two), numbers(&[1, 2, 4]));
+        let third = Rational::new(1.into(), 3.into());
+        assert_eq!(
+            bernstein(&square, 3, &zero, &one),
+            [zero.clone(), zero.clone(), third, one.clone()]
+        );
+        assert_eq!(
+            bernstein(&UniPoly::zero(), 1, &zero, &one),
+            numbers(&[0, 0])
+        );
+    }
+
+    #[test]
+    fn coefficients_lead_back_to_the_polynomial() {
+        let coefficients = numbers(&[3, -1, 4, 1, -5]);
+        let (from, to) = (
+            Rational::new((-1).into(), 3.into()),
+            Rational::new(5.into(), 2.into()),
+        );
+        let polynomial = from_bernstein(&coefficients, &from, &to);
+        assert_eq!(bernstein(&polynomial, 4, &from, &to), coefficients);
+        let at = Rational::new(2.into(), 7.into());
+        let global = &from + &(&at * &(&to - &from));
+        assert_eq!(
+            de_casteljau(&coefficients, &at),
+            polynomial.evaluate(&global)
+        );
+        let (left, right) = subdivide(&coefficients, &at);
+        assert_eq!(bernstein(&polynomial, 4, &from, &global), left);
+        assert_eq!(bernstein(&polynomial, 4, &global, &to), right);
+    }
+}

@@ -1,0 +1,236 @@
+use super::image::Image;
+use super::modular;
+use super::{Coprimality, UniPoly};
+use crate::number::{Field, Ring};
+
+/// The greatest common divisor in the normal form of [`UniPoly::primitive`]; gcd(0, 0) = 0.
+///
+/// - **holds** it divides both, and every common divisor divides it
+/// - **cost** one image modulo 2⁶¹ − 1 if the polynomials are coprime; images modulo many primes
+///   over ℚ, a subresultant sequence over other fields
+#[must_use]
+pub fn gcd<F: Field>(left: &UniPoly<F>, right: &UniPoly<F>) -> UniPoly<F> {
+    if left.is_zero() {
+        return right.primitive();
+    }
+    if right.is_zero() {
+        return left.primitive();
+    }
+    if left.is_constant() || right.is_constant() {
+        return UniPoly::one();
+    }
+    match image_gcd_degree(&[left, right]) {
+        Some(0) => UniPoly::one(),
+        bound => gcd_exact(left, right, bound),
+    }
+}
+
+/// The greatest common divisor of all, primitive; 0 for none. Stops at 1.
+///
+/// The first two polynomials of lowest degree decide most lists.
+#[must_use]
+pub fn gcd_all<'a, F: Field>(polynomials: impl IntoIterator<Item = &'a UniPoly<F>>) -> UniPoly<F> {
+    let mut list: Vec<_> = polynomials
+        .into_iter()
+        .filter(|polynomial| !polynomial.is_zero())
+        .collect();
+    list.sort_by_key(|polynomial| polynomial.degree());
+    let Some((first, rest)) = list.split_first() else {
+        return UniPoly::zero();
+    };
+    if first.is_constant() || (list.len() > 1 && image_gcd_degree(&list) == Some(0)) {
+        return UniPoly::one();
+    }
+    let mut common = first.primitive();
+    for polynomial in rest {
+        if common.is_constant() {
+            break;
+        }
+        common = gcd(&common, polynomial);
+    }
+    common
+}
+
+/// The least common multiple, primitive; 0 if one of them is 0.
+#[must_use]
+pub fn lcm<F: Field>(left: &UniPoly<F>, right: &UniPoly<F>) -> UniPoly<F> {
+    let common = gcd(left, right);
+    left.exact_div(&common)
+        .map_or_else(UniPoly::zero, |quotient| (&quotient * right).primitive())
+}
+
+/// The evidence that no non-constant polynomial divides every polynomial of the list; none if
+/// one does.
+#[must_use]
+pub fn certify_coprime<F: Field>(polynomials: &[&UniPoly<F>]) -> Option<Coprimality> {
+    let list: Vec<_> = polynomials
+        .iter()
+        .copied()
+        .filter(|polynomial| !polynomial.is_zero())
+        .collect();
+    if image_gcd_degree(&list) == Some(0) {
+        return Some(Coprimality::Modular);
+    }
+    (gcd_all(list).degree() == Some(0)).then_some(Coprimality::Euclid)
+}
+
+/// The degree of the gcd of the images modulo 2⁶¹ − 1, an upper bound for the degree of the gcd;
+/// none if there are no images or every leading coefficient vanishes in them.
+///
+/// The bound holds as soon as one leading coefficient is kept. For let g divide every pᵢ, take a
+/// valuation ring above the prime and scale g to be primitive over it. By Gauss's lemma the
+/// cofactors pᵢ / g lie over that ring too; where lc(pᵢ) is a unit, so is lc(g): the image of g
+/// keeps its degree, and divides all images.
+fn image_gcd_degree<F: Field>(polynomials: &[&UniPoly<F>]) -> Option<usize> {
+    let mut kept = false;
+    let mut common: Option<Image> = None;
+    for polynomial in polynomials {
+        let image = Image::of(polynomial)?;
+        kept |= image.degree() == polynomial.degree() && !polynomial.is_zero();
+        common = Some(match common {
+            Some(common) => common.gcd(image),
+            None => image,
+        });
+        if kept && common.as_ref().and_then(Image::degree) == Some(0) {
+            return Some(0);
+        }
+    }
+    if kept { common?.degree() } else { None }
+}
+
+/// The gcd of two non-constant polynomials whose gcd has at most the given degree.
+fn gcd_exact<F: Field>(left: &UniPoly<F>, right: &UniPoly<F>, bound: Option<usize>) -> UniPoly<F> {
+    let (high, low) = if left.degree() < right.degree() {
+        (right, left)
+    } else {
+        (left, right)
+    };
+    if bound.is_none_or(|bound| Some(bound) == low.degree()) && high.exact_div(low).is_some() {
+        return low.primitive();
+    }
+    let (high, low) = (high.primitive(), low.primitive());
+    if let Some(common) = modular::gcd(&high, &low) {
+        return common;
+    }
+    let common = last_subresultant(high.numerators(), low.numerators());
+    UniPoly::from_numerators(common, F::Ring::one().content()).primitive()
+}
+
+/// The last subresultant of two polynomials that is not 0, up to a factor of the ring; the
+/// degree of the first is not below that of the second.
+///
+/// With g = lc and h the leading coefficient of the regular subresultant of the same level, the
+/// pseudo-remainder of two neighbours is divisible by g hᵟ in any integral domain, where δ is
+/// the difference of their degrees. (Collins' and Brown's reduction)
+fn last_subresultant<R: Ring>(high: &[R], low: &[R]) -> Vec<R> {
+    let (mut high, mut low) = (high.to_vec(), low.to_vec());
+    let (mut lead, mut regular) = (R::one(), R::one());
+    while low.len() > 1 {
+        let gap = high.len() - low.len();
+        let remainder = pseudo_remainder(high, &low);
+        if remainder.is_empty() {
+            return low;
+        }
+        let divisor = lead.times(&power(&regular, gap));
+        let reduced: Option<Vec<R>> = remainder.iter().map(|own| own.quotient(&divisor)).collect();
+        high = low;
+        low = reduced.unwrap_or(remainder);
+        lead = high[high.len() - 1].clone();
+        regular = match gap {
+            0 => regular,
+            1 => lead.clone(),
+            _ => power(&lead, gap)
+                .quotient(&power(&regular, gap - 1))
+                .unwrap_or_else(R::one),
+        };
+    }
+    vec![R::one()]
+}
+
+/// lc(b)^(δ+1) a mod b, with δ = deg a − deg b.
+fn pseudo_remainder<R: Ring>(mut high: Vec<R>, low: &[R]) -> Vec<R> {
+    let (body, lead) = (&low[..low.len() - 1], &low[low.len() - 1]);
+    for offset in (0..=high.len() - low.len()).rev() {
+        let top = high[offset + body.len()].negated();
+        high.truncate(offset + body.len());
+        for (index, own) in high.iter_mut().enumerate() {
+            *own = own.times(lead);
+            if index >= offset {
+                own.add_product(&top, &body[index - offset]);
+            }
+        }
+    }
+    while high.last().is_some_and(Ring::is_zero) {
+        high.pop();
+    }
+    high
+}
+
+fn power<R: Ring>(base: &R, exponent: usize) -> R {
+    (0..exponent).fold(R::one(), |power, _| power.times(base))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::Rational;
+
+    fn polynomial(coefficients: &[i64]) -> UniPoly<Rational> {
+        let coefficients: Vec<_> = coefficients.iter().copied().map(Rational::from).collect();
+        UniPoly::from_coefficients(&coefficients)
+    }
+
+    #[test]
+    fn the_planted_divisor_is_found_on_every_road() {
+        let common = polynomial(&[-3, 0, 2, 5]);
+        let (left, right) = (polynomial(&[1, 1, 4, 1]), polynomial(&[7, -2, 0, 0, 3]));
+        let (high, low) = (&right * &common, &left * &common);
+        assert_eq!(gcd(&high, &low), common);
+        assert_eq!(modular::gcd(&high, &low), Some(common.clone()));
+        let road = last_subresultant(high.numerators(), low.numerators());
+        let road = UniPoly::<Rational>::from_numerators(road, 1.into());
+        assert_eq!(road.primitive(), common);
+        assert_eq!(lcm(&high, &low), (&(&left * &right) * &common).primitive());
+    }
+
+    #[test]
+    fn zeros_and_constants_have_the_conventional_divisors() {
+        let (zero, two) = (polynomial(&[]), polynomial(&[2]));
+        let line = polynomial(&[2, -4]);
+        assert_eq!(gcd(&zero, &zero), zero);
+        assert_eq!(gcd(&zero, &line), polynomial(&[-1, 2]));
+        assert_eq!(gcd(&two, &line), polynomial(&[1]));
+        assert_eq!(gcd_all([&zero, &line, &zero]), polynomial(&[-1, 2]));
+        assert_eq!(gcd_all(std::iter::empty::<&UniPoly<Rational>>()), zero);
+        assert_eq!(lcm(&zero, &line), zero);
+        assert_eq!(certify_coprime(&[&zero, &line]), None);
+        assert_eq!(certify_coprime(&[&zero, &two]), Some(Coprimality::Modular));
+    }
+
+    #[test]
+    fn a_bad_prime_proves_nothing() {
+        // p x + 1 and p x + 2 become constants modulo p = 2⁶¹ − 1: coprime all the same, but
+        // not by that image.
+        let prime = (1 << 61) - 1;
+        let (left, right) = (polynomial(&[1, prime]), polynomial(&[2, prime]));
+        assert_eq!(certify_coprime(&[&left, &right]), Some(Coprimality::Euclid));
+        let common = &left * &polynomial(&[1, 1]);
+        assert_eq!(certify_coprime(&[&left, &common]), None);
+        assert_eq!(gcd(&left, &common), left);
+    }
+
+    #[test]
+    fn a_list_may_be_coprime_though_no_pair_is() {
+        let (x, y, z) = (
+            polynomial(&[1, 1]),
+            polynomial(&[2, 1]),
+            polynomial(&[3, 1]),
+        );
+        let list = [&x * &y, &y * &z, &z * &x];
+        assert_eq!(gcd_all(&list), polynomial(&[1]));
+        assert_eq!(
+            certify_coprime(&list.iter().collect::<Vec<_>>()),
+            Some(Coprimality::Modular)
+        );
+    }
+}

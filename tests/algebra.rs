@@ -1,0 +1,276 @@
+//! Laws of the polynomial algorithms: each fact reached by two roads, over inputs biased to
+//! corners.
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "a failing law may end the test"
+)]
+
+use proptest::prelude::*;
+use sweepc::number::{Field, Rational};
+use sweepc::poly::{
+    Antiderivative, Coprimality, SquareTest, UniPoly, bernstein, certify_coprime, count_roots,
+    de_casteljau, from_bernstein, gcd, gcd_all, integrate, lcm, odd_part, real_roots, sign_change,
+    square_free, square_test, subdivide,
+};
+
+type Poly = UniPoly<Rational>;
+
+fn polynomial(coefficients: &[i64]) -> Poly {
+    let coefficients: Vec<_> = coefficients.iter().copied().map(Rational::from).collect();
+    Poly::from_coefficients(&coefficients)
+}
+
+fn line(root: &Rational) -> Poly {
+    Poly::from_coefficients(&[-root, Rational::from(1)]).primitive()
+}
+
+/// Numbers with a taste for 0, 1, −1 and small fractions.
+fn number() -> impl Strategy<Value = Rational> {
+    prop_oneof![
+        3 => (-2_i64..=2).prop_map(Rational::from),
+        3 => (-12_i64..=12, 1_i64..=6).prop_map(|(n, d)| Rational::new(n.into(), d.into())),
+        1 => (any::<i64>(), 1..i64::MAX).prop_map(|(n, d)| Rational::new(n.into(), d.into())),
+    ]
+}
+
+/// Polynomials of degree at most the given one, zero and constants among them.
+fn any_polynomial(degree: usize) -> impl Strategy<Value = Poly> {
+    prop::collection::vec(number(), 0..=degree + 1).prop_map(|list| Poly::from_coefficients(&list))
+}
+
+fn nonzero(degree: usize) -> impl Strategy<Value = Poly> {
+    any_polynomial(degree).prop_map(|p| if p.is_zero() { Poly::one() } else { p })
+}
+
+/// A product of powers of lines and of irreducible quadratics, with repetition and a constant
+/// of either sign.
+fn factored() -> impl Strategy<Value = (Poly, Vec<(Poly, u32)>)> {
+    let simple =
+        (-6_i64..=6, 1_i64..=4).prop_map(|(n, d)| line(&Rational::new(n.into(), d.into())));
+    let surd = prop::sample::select(vec![2_i64, 3, 5, -1, -3])
+        .prop_map(|radicand| polynomial(&[-radicand, 0, 1]));
+    let factor = (prop_oneof![2 => simple, 1 => surd], 1_u32..=4);
+    let constant = number().prop_filter("not 0", |value| !value.is_zero());
+    (constant, prop::collection::vec(factor, 0..5)).prop_map(|(constant, factors)| {
+        let start = Poly::constant(&constant);
+        let product = factors.iter().fold(start, |product, (factor, power)| {
+            &product * &factor.power(*power)
+        });
+        let mut joined: Vec<(Poly, u32)> = Vec::new();
+        for (factor, power) in factors {
+            match joined.iter_mut().find(|(known, _)| *known == factor) {
+                Some((_, total)) => *total += power,
+                None => joined.push((factor, power)),
+            }
+        }
+        (product, joined)
+    })
+}
+
+fn divides(divisor: &Poly, dividend: &Poly) -> bool {
+    dividend.is_zero() || dividend.exact_div(divisor).is_some()
+}
+
+/// The roots of the factors in the closed interval, with multiplicities: rational ones by
+/// comparison, ±√n by squaring the ends.
+fn expected_roots(factors: &[(Poly, u32)], from: &Rational, to: &Rational) -> Vec<u32> {
+    let mut multiplicities = Vec::new();
+    for (factor, multiplicity) in factors {
+        if factor.degree() == Some(1) {
+            let root = -&(&factor.coefficient(0) / &factor.coefficient(1));
+            if from <= &root && &root <= to {
+                multiplicities.push(*multiplicity);
+            }
+            continue;
+        }
+        let radicand = factor.coefficient(0).negated();
+        let zero = Rational::from(0);
+        // below(x): x ≤ √n; above(x): x ≥ √n
+        let below = |x: &Rational| *x <= zero || x * x <= radicand;
+        let above = |x: &Rational| *x >= zero && x * x >= radicand;
+        if radicand > zero {
+            let positive = below(from) && above(to);
+            let negative = below(&-to) && above(&-from);
+            for _ in 0..usize::from(positive) + usize::from(negative) {
+                multiplicities.push(*multiplicity);
+            }
+        }
+    }
+    multiplicities.sort_unstable();
+    multiplicities
+}
+
+proptest! {
+    #[test]
+    fn common_factors_come_out(a in any_polynomial(6), b in any_polynomial(6), g in nonzero(5)) {
+        let inner = gcd(&a, &b);
+        let outer = gcd(&(&a * &g), &(&b * &g));
+        prop_assert_eq!(&outer, &(&inner * &g).primitive());
+        if !outer.is_zero() {
+            prop_assert!(divides(&outer, &(&a * &g)) && divides(&outer, &(&b * &g)));
+        }
+        prop_assert_eq!(gcd(&a, &b), gcd(&b, &a));
+        let product = (&a * &b).primitive();
+        prop_assert_eq!((&lcm(&a, &b) * &inner).primitive(), product);
+    }
+
+    #[test]
+    fn certificates_agree_with_the_divisor(
+        a in nonzero(5), b in nonzero(5), c in any_polynomial(5), g in any_polynomial(3),
+    ) {
+        let list = [&a * &g, &b * &g, &c * &g];
+        let references: Vec<_> = list.iter().collect();
+        let common = gcd_all(&list);
+        prop_assert_eq!(&common, &gcd(&gcd(&list[0], &list[1]), &list[2]));
+        let coprime = common.degree() == Some(0);
+        prop_assert_eq!(certify_coprime(&references).is_some(), coprime);
+        if coprime && list.iter().any(|own| !own.is_constant()) {
+            prop_assert_eq!(certify_coprime(&references), Some(Coprimality::Modular));
+        }
+    }
+
+    #[test]
+    fn square_free_factors_rebuild_the_polynomial((product, factors) in factored()) {
+        let found = square_free(&product);
+        let rebuilt = found.iter().fold(Poly::one(), |rebuilt, (factor, multiplicity)| {
+            &rebuilt * &factor.power(*multiplicity)
+        });
+        prop_assert_eq!(rebuilt.primitive(), product.primitive());
+        for (factor, multiplicity) in &found {
+            let planted = factors.iter().filter(|(_, own)| own == multiplicity);
+            let planted = planted.fold(Poly::one(), |all, (own, _)| &all * own);
+            prop_assert_eq!(factor, &planted);
+        }
+        let odd = factors.iter().filter(|(_, own)| own % 2 == 1);
+        let odd = odd.fold(Poly::one(), |all, (own, _)| &all * own);
+        prop_assert_eq!(&odd_part(&product), &odd);
+        match square_test(&product) {
+            SquareTest::Square { factor, root } => {
+                prop_assert!(odd.is_constant());
+                prop_assert_eq!((&root * &root).scale(&factor), product);
+                prop_assert_eq!(root.primitive(), root);
+            }
+            SquareTest::NotSquare { odd_part } => {
+                prop_assert!(!odd.is_constant());
+                prop_assert_eq!(odd_part, odd);
+            }
+        }
+    }
+
+    #[test]
+    fn squares_are_known_and_near_squares_refused(
+        root in nonzero(9), factor in number(), place in 0_usize..19, change in number(),
+    ) {
+        let square = (&root * &root).scale(&factor);
+        let SquareTest::Square { factor: found, root: base } = square_test(&square) else {
+            panic!("{square} is a square");
+        };
+        prop_assert_eq!((&base * &base).scale(&found), square.clone());
+        let near = &square + &Poly::constant(&change).shift(place);
+        let known = match square_test(&near) {
+            SquareTest::Square { factor, root } => {
+                prop_assert_eq!((&root * &root).scale(&factor), near.clone());
+                true
+            }
+            SquareTest::NotSquare { odd_part } => {
+                prop_assert!(divides(&odd_part, &near) && !odd_part.is_constant());
+                false
+            }
+        };
+        let even = square_free(&near).iter().all(|(_, multiplicity)| multiplicity % 2 == 0);
+        prop_assert_eq!(known, even);
+    }
+
+    #[test]
+    fn roots_are_those_of_the_known_factors(
+        (product, factors) in factored(), a in number(), b in number(),
+    ) {
+        let (from, to) = (a.clone().min(b.clone()), a.max(b));
+        let mut expected = expected_roots(&factors, &from, &to);
+        let roots = real_roots(&product, &from, &to);
+        prop_assert_eq!(count_roots(&product, &from, &to), expected.len());
+        let mut found: Vec<_> = roots.iter().map(|root| root.multiplicity()).collect();
+        found.sort_unstable();
+        prop_assert_eq!(&found, &expected);
+        for pair in roots.windows(2) {
+            prop_assert!(pair[0].upper() < pair[1].lower());
+        }
+        for root in &roots {
+            prop_assert!(&from <= root.lower() && root.upper() <= &to);
+            prop_assert_eq!(count_roots(&product, root.lower(), root.upper()), 1);
+            prop_assert!(divides(root.polynomial(), &product));
+            let value = root.polynomial().evaluate(root.lower());
+            prop_assert_eq!(root.is_exact(), value.is_zero());
+            let mut finer = root.clone();
+            let width = Rational::new(1.into(), 1_000.into());
+            finer.refine(&width);
+            prop_assert!(finer.width() <= width);
+            prop_assert!(root.lower() <= finer.lower() && finer.upper() <= root.upper());
+            prop_assert_eq!(count_roots(&product, finer.lower(), finer.upper()), 1);
+        }
+        let exact = factors.iter().filter(|(factor, _)| factor.degree() == Some(1));
+        let exact: Vec<_> = exact.cloned().collect();
+        expected = expected_roots(&exact, &from, &to);
+        prop_assert_eq!(roots.iter().filter(|root| root.is_exact()).count(), expected.len());
+        let inside = |root: &&sweepc::poly::RealRoot<Rational>| {
+            root.multiplicity() % 2 == 1 && !(root.is_exact() && (root.lower() == &from || root.lower() == &to))
+        };
+        let first = sign_change(&product, &from, &to);
+        prop_assert_eq!(first.as_ref(), roots.iter().find(inside));
+    }
+
+    #[test]
+    fn dense_polynomials_have_as_many_roots_as_sturm_counts(
+        p in nonzero(12), a in number(), b in number(),
+    ) {
+        let (from, to) = (a.clone().min(b.clone()), a.max(b));
+        prop_assert_eq!(real_roots(&p, &from, &to).len(), count_roots(&p, &from, &to));
+    }
+
+    #[test]
+    fn antiderivatives_lead_back(p in any_polynomial(5), (q, _) in factored()) {
+        // (p/q)′ = (p′q − pq′)/q²
+        let numerator = &(&p.derivative() * &q) - &(&p * &q.derivative());
+        let denominator = &q * &q;
+        let Antiderivative::Rational { numerator: top, denominator: bottom } =
+            integrate(&numerator, &denominator)
+        else {
+            panic!("({p})/({q}) is an antiderivative");
+        };
+        // equal up to a constant: (top q − p bottom) / (bottom q) is one
+        let gap = &(&top * &q) - &(&p * &bottom);
+        let constant = gap.div_rem(&(&bottom * &q)).unwrap();
+        prop_assert!(constant.1.is_zero() && constant.0.is_constant());
+        prop_assert!(gcd(&top, &bottom).is_constant());
+    }
+
+    #[test]
+    fn logarithms_are_named(p in any_polynomial(4), (q, _) in factored(), root in -6_i64..=6) {
+        // (p/q)′ + 1/(x²+x+5) + 1/(x−a): just the last two have residues, for a not a pole of q
+        let (circle, simple) = (polynomial(&[5, 1, 1]), polynomial(&[-root, 1]));
+        prop_assume!(gcd(&simple, &q).is_constant());
+        let flat = &(&p.derivative() * &q) - &(&p * &q.derivative());
+        let square = &q * &q;
+        let both = &circle * &simple;
+        let numerator = &(&flat * &both) + &(&square * &(&circle + &simple));
+        let logarithmic = integrate(&numerator, &(&square * &both));
+        prop_assert_eq!(logarithmic, Antiderivative::NotRational { logarithmic: both });
+    }
+
+    #[test]
+    fn bernstein_coefficients_evaluate_alike(
+        p in any_polynomial(7), extra in 0_usize..3, from in number(), to in number(), t in number(),
+    ) {
+        prop_assume!(from != to);
+        let degree = p.degree().unwrap_or(0) + extra;
+        let coefficients = bernstein(&p, degree, &from, &to);
+        prop_assert_eq!(coefficients.len(), degree + 1);
+        prop_assert_eq!(&from_bernstein(&coefficients, &from, &to), &p);
+        let at = &from + &(&t * &(&to - &from));
+        prop_assert_eq!(de_casteljau(&coefficients, &t), p.evaluate(&at));
+        let (left, right) = subdivide(&coefficients, &t);
+        prop_assert_eq!(left, bernstein(&p, degree, &from, &at));
+        prop_assert_eq!(right, bernstein(&p, degree, &at, &to));
+    }
+}
