@@ -44,6 +44,12 @@ fn carried() -> Vec<(&'static str, ControlNet, bool)> {
         ("cylinder", nets::cylinder(), true),
         ("torus", nets::torus(), true),
         ("lune", nets::lune(), true),
+        ("teardrop", nets::teardrop(), true),
+        ("folded", nets::folded(), false),
+        ("moebius", nets::moebius(), false),
+        ("touching corners", nets::touching_corners(), false),
+        ("petal", nets::petal(), false),
+        ("nearly closed", nets::nearly_closed(), false),
         ("bag", patch(&nets::bag()), false),
         ("apex at a corner", patch(&nets::corner_apex()), false),
         (
@@ -308,6 +314,7 @@ fn step_faces_have_the_edges_that_readers_expect() {
         ("sphere", (1, 2, 2)),
         ("torus", (2, 4, 1)),
         ("lune", (2, 2, 2)),
+        ("teardrop", (4, 4, 3)),
     ]);
     for (name, net, bounded) in carried() {
         let exported = export("step", &net, &Context::new("file", "R")).unwrap();

@@ -223,3 +223,70 @@ pub fn corner_apex() -> [BiPoly<Real>; 4] {
         sum(&[("0 1", "0 0 1")]),
     ]
 }
+
+/// A polynomial net of rows of points, written `x,y,z x,y,z …`.
+pub fn polynomial_net(rows: &[&str]) -> ControlNet {
+    let columns = rows[0].split(' ').count();
+    let points: Vec<_> = rows
+        .iter()
+        .flat_map(|row| row.split(' '))
+        .map(|point| {
+            let values: Vec<_> = point.split(',').map(number).collect();
+            <[Real; 3]>::try_from(values).unwrap()
+        })
+        .collect();
+    let knots = |count| Knots::bezier(count - 1, &number("0"), &number("1")).unwrap();
+    let weights = vec![Real::one(); points.len()];
+    ControlNet::new(knots(rows.len()), knots(columns), weights, points).unwrap()
+}
+
+/// Two adjacent sides are the same curve.
+pub fn folded() -> ControlNet {
+    polynomial_net(&[
+        "0,0,0 0,1,0 1,2,0",
+        "0,1,0 2,2,5 1,3,0",
+        "1,2,0 2,3,1 3,4,1",
+    ])
+}
+
+/// Two opposite sides are the same curve in opposite directions.
+pub fn moebius() -> ControlNet {
+    polynomial_net(&[
+        "1,0,-1/4 1,0,1/4",
+        "1,2,-1/2 1,2,1/2",
+        "-2,3,-1/3 -2,2,1/2",
+        "1,0,1/4 1,0,-1/4",
+    ])
+}
+
+/// Two opposite corners touch.
+pub fn touching_corners() -> ControlNet {
+    polynomial_net(&[
+        "0,0,0 2,-1,0 3,0,1",
+        "-1,2,0 1,1,3 2,3,5",
+        "0,3,1 2,2,4 0,0,0",
+    ])
+}
+
+/// Two opposite sides are the same point.
+pub fn petal() -> ControlNet {
+    polynomial_net(&[
+        "0,0,0 0,0,0 0,0,0",
+        "0,1,0 2,2,5 1,3,0",
+        "0,0,0 0,0,0 0,0,0",
+    ])
+}
+
+/// Closed but for a gap of 10⁻⁹, with another weight at its end.
+pub fn nearly_closed() -> ControlNet {
+    let circle = CIRCLE.rsplit_once(' ').unwrap().0;
+    revolved(
+        &format!("{circle} 1,1e-9,3"),
+        &[("1", "0", "1"), ("1", "1", "1"), ("1", "2", "1")],
+    )
+}
+
+/// One side is a closed curve, and the patch is not closed.
+pub fn teardrop() -> ControlNet {
+    polynomial_net(&["0,0,0 0,0,1", "3,-2,0 3,-2,1", "3,2,0 3,2,2", "0,0,0 1,1,3"])
+}
