@@ -25,9 +25,7 @@ impl Homogeneous {
     /// Brings three fractions over the least common multiple of their denominators, as they are
     /// written; none if a denominator is 0.
     #[must_use]
-    pub fn over_common_denominator(
-        fractions: &[(UniPoly<Real>, UniPoly<Real>); 3],
-    ) -> Option<Self> {
+    pub fn over_common_denominator(fractions: &[(UniPoly<Real>, UniPoly<Real>); 3]) -> Option<Self> {
         let mut weight = UniPoly::one();
         for (_, denominator) in fractions {
             if denominator.is_zero() {
@@ -38,11 +36,7 @@ impl Homogeneous {
         let over = |(numerator, denominator): &(UniPoly<Real>, UniPoly<Real>)| {
             Some(numerator * &weight.exact_div(denominator)?)
         };
-        let coordinates = [
-            over(&fractions[0])?,
-            over(&fractions[1])?,
-            over(&fractions[2])?,
-        ];
+        let coordinates = [over(&fractions[0])?, over(&fractions[1])?, over(&fractions[2])?];
         Some(Self {
             weight,
             coordinates,

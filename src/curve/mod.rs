@@ -2,8 +2,8 @@
 
 mod curve;
 mod fault;
-mod hodograph;
 mod homogeneous;
+mod hodograph;
 mod interval;
 pub mod kinds;
 mod plane;

@@ -27,19 +27,13 @@ impl Unit {
     /// The unit that a word stands for.
     #[must_use]
     pub fn of(word: &str) -> Option<Self> {
-        Self::ALL
-            .iter()
-            .find(|(_, own)| *own == word)
-            .map(|(unit, _)| *unit)
+        Self::ALL.iter().find(|(_, own)| *own == word).map(|(unit, _)| *unit)
     }
 
     /// The word.
     #[must_use]
     pub fn word(self) -> &'static str {
-        Self::ALL
-            .iter()
-            .find(|(unit, _)| *unit == self)
-            .map_or("mm", |(_, word)| word)
+        Self::ALL.iter().find(|(unit, _)| *unit == self).map_or("mm", |(_, word)| word)
     }
 }
 
@@ -88,13 +82,8 @@ impl Definition<'_> {
             DefinitionForm::Constant { is_param: true, .. } => "a parameter",
             DefinitionForm::Constant { .. } => "a constant",
             DefinitionForm::Function { .. } => "a function",
-            DefinitionForm::Curve {
-                role: Role::Profile,
-                ..
-            } => "a profile",
-            DefinitionForm::Curve {
-                role: Role::Sweep, ..
-            } => "a sweep curve",
+            DefinitionForm::Curve { role: Role::Profile, .. } => "a profile",
+            DefinitionForm::Curve { role: Role::Sweep, .. } => "a sweep curve",
             DefinitionForm::Curve { .. } => "a curve",
             DefinitionForm::Construction { .. } => "a construction",
             DefinitionForm::Surface { .. } => "a surface",
