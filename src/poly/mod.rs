@@ -30,4 +30,3 @@ pub use square::{SquareTest, square_test};
 pub use squarefree::{odd_part, square_free};
 pub use sturm::count_roots;
 pub use uni::UniPoly;
-mod bistub; pub use bistub::*;
