@@ -1,0 +1,358 @@
+use std::ops::{Add, Mul, Neg, Sub};
+
+use crate::number::Field;
+
+use super::{BiDegree, UniPoly, gcd_all};
+
+/// A polynomial in u and v, held as a sum of products Σ fₖ(u) gₖ(v).
+///
+/// Swept surfaces are such sums with two or three terms, whatever their degree; a dense
+/// polynomial is the case fₖ = uᵏ. Every fₖ is primitive, so proportional factors are equal and
+/// their terms are merged; the sum never has more terms than the dense form. The same polynomial
+/// has many such forms: equality compares the coefficients.
+#[derive(Clone, Debug)]
+pub struct BiPoly<F: Field> {
+    terms: Vec<(UniPoly<F>, UniPoly<F>)>,
+}
+
+impl<F: Field> BiPoly<F> {
+    /// 0
+    #[must_use]
+    pub fn zero() -> Self {
+        Self { terms: Vec::new() }
+    }
+
+    /// 1
+    #[must_use]
+    pub fn one() -> Self {
+        Self::constant(&F::one())
+    }
+
+    /// The constant polynomial c.
+    #[must_use]
+    pub fn constant(value: &F) -> Self {
+        Self::in_v(&UniPoly::constant(value))
+    }
+
+    /// f(u)
+    #[must_use]
+    pub fn in_u(factor: &UniPoly<F>) -> Self {
+        Self::product(factor, &UniPoly::one())
+    }
+
+    /// g(v)
+    #[must_use]
+    pub fn in_v(factor: &UniPoly<F>) -> Self {
+        Self::product(&UniPoly::one(), factor)
+    }
+
+    /// f(u) g(v)
+    #[must_use]
+    pub fn product(in_u: &UniPoly<F>, in_v: &UniPoly<F>) -> Self {
+        let mut polynomial = Self::zero();
+        polynomial.add_term(in_u, in_v);
+        polynomial
+    }
+
+    /// Σ uⁱ rᵢ(v)
+    #[must_use]
+    pub fn from_rows(rows: &[UniPoly<F>]) -> Self {
+        let mut polynomial = Self::zero();
+        for (power, row) in rows.iter().enumerate().filter(|(_, row)| !row.is_zero()) {
+            let monomial = UniPoly::one().shift(power);
+            polynomial.terms.push((monomial, row.clone()));
+        }
+        polynomial
+    }
+
+    /// Σ cⱼ(u) vʲ
+    #[must_use]
+    pub fn from_columns(columns: &[UniPoly<F>]) -> Self {
+        Self::from_rows(columns).transpose()
+    }
+
+    /// p(v, u)
+    #[must_use]
+    pub fn transpose(&self) -> Self {
+        let mut polynomial = Self::zero();
+        for (in_u, in_v) in &self.terms {
+            polynomial.add_term(in_v, in_u);
+        }
+        polynomial
+    }
+
+    /// The terms fₖ(u), gₖ(v) of this form of the polynomial.
+    #[must_use]
+    pub fn terms(&self) -> &[(UniPoly<F>, UniPoly<F>)] {
+        &self.terms
+    }
+
+    /// The coefficients of 1, u, u², … as polynomials in v; the last is not 0.
+    #[must_use]
+    pub fn rows(&self) -> Vec<UniPoly<F>> {
+        let mut rows: Vec<UniPoly<F>> = Vec::new();
+        for (in_u, in_v) in &self.terms {
+            rows.resize(rows.len().max(in_u.numerators().len()), UniPoly::zero());
+            for (power, coefficient) in in_u.coefficients().iter().enumerate() {
+                if !coefficient.is_zero() {
+                    rows[power] = &rows[power] + &in_v.scale(coefficient);
+                }
+            }
+        }
+        while rows.last().is_some_and(UniPoly::is_zero) {
+            rows.pop();
+        }
+        rows
+    }
+
+    /// The coefficients of 1, v, v², … as polynomials in u; the last is not 0.
+    #[must_use]
+    pub fn columns(&self) -> Vec<UniPoly<F>> {
+        self.transpose().rows()
+    }
+
+    /// Whether it is 0.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        match self.terms.len() {
+            0 => true,
+            1 => false,
+            _ => self.rows().is_empty(),
+        }
+    }
+
+    /// The exact bidegree; none for 0.
+    #[must_use]
+    pub fn bidegree(&self) -> Option<BiDegree> {
+        if let [(in_u, in_v)] = self.terms.as_slice() {
+            return Some(BiDegree::new(in_u.degree()?, in_v.degree()?));
+        }
+        let rows = self.rows();
+        let in_v = rows.iter().filter_map(UniPoly::degree).max()?;
+        Some(BiDegree::new(rows.len() - 1, in_v))
+    }
+
+    /// The constant that it is; none if it depends on u or v.
+    #[must_use]
+    pub fn as_constant(&self) -> Option<F> {
+        match self.bidegree() {
+            None => Some(F::zero()),
+            Some(BiDegree { u: 0, v: 0 }) => Some(self.evaluate(&F::zero(), &F::zero())),
+            Some(_) => None,
+        }
+    }
+
+    /// p(u, v) at a point.
+    #[must_use]
+    pub fn evaluate(&self, u: &F, v: &F) -> F {
+        self.terms.iter().fold(F::zero(), |sum, (in_u, in_v)| {
+            sum.plus(&in_u.evaluate(u).times(&in_v.evaluate(v)))
+        })
+    }
+
+    /// p(a, v) as a polynomial in v.
+    #[must_use]
+    pub fn at_u(&self, at: &F) -> UniPoly<F> {
+        self.terms
+            .iter()
+            .fold(UniPoly::zero(), |sum, (in_u, in_v)| {
+                &sum + &in_v.scale(&in_u.evaluate(at))
+            })
+    }
+
+    /// p(u, b) as a polynomial in u.
+    #[must_use]
+    pub fn at_v(&self, at: &F) -> UniPoly<F> {
+        self.terms
+            .iter()
+            .fold(UniPoly::zero(), |sum, (in_u, in_v)| {
+                &sum + &in_u.scale(&in_v.evaluate(at))
+            })
+    }
+
+    /// ∂p/∂u
+    #[must_use]
+    pub fn derivative_u(&self) -> Self {
+        self.map(|in_u, in_v| (in_u.derivative(), in_v.clone()))
+    }
+
+    /// ∂p/∂v
+    #[must_use]
+    pub fn derivative_v(&self) -> Self {
+        self.map(|in_u, in_v| (in_u.clone(), in_v.derivative()))
+    }
+
+    /// c p
+    #[must_use]
+    pub fn scale(&self, factor: &F) -> Self {
+        self.map(|in_u, in_v| (in_u.clone(), in_v.scale(factor)))
+    }
+
+    /// pⁿ
+    #[must_use]
+    pub fn power(&self, exponent: u32) -> Self {
+        if let [(in_u, in_v)] = self.terms.as_slice() {
+            return Self::product(&in_u.power(exponent), &in_v.power(exponent));
+        }
+        let mut result = Self::one();
+        for bit in (0..u32::BITS - exponent.leading_zeros()).rev() {
+            result = &result * &result;
+            if exponent >> bit & 1 == 1 {
+                result = &result * self;
+            }
+        }
+        result
+    }
+
+    /// The greatest common divisor of the coefficients as polynomials in u, primitive: the
+    /// largest factor in u alone. 0 for 0.
+    #[must_use]
+    pub fn content_u(&self) -> UniPoly<F> {
+        match self.terms.as_slice() {
+            [(in_u, _)] => in_u.clone(),
+            _ => gcd_all(&self.columns()),
+        }
+    }
+
+    /// The largest factor in v alone, primitive. 0 for 0.
+    #[must_use]
+    pub fn content_v(&self) -> UniPoly<F> {
+        match self.terms.as_slice() {
+            [(_, in_v)] => in_v.primitive(),
+            _ => gcd_all(&self.rows()),
+        }
+    }
+
+    /// p / d(u) if d divides.
+    #[must_use]
+    pub fn exact_div_u(&self, divisor: &UniPoly<F>) -> Option<Self> {
+        if divisor.is_constant() {
+            return Some(self.scale(&divisor.leading_coefficient().inverse()?));
+        }
+        let termwise: Option<Vec<_>> = self
+            .terms
+            .iter()
+            .map(|(in_u, _)| in_u.exact_div(divisor))
+            .collect();
+        if let Some(quotients) = termwise {
+            let mut polynomial = Self::zero();
+            for (in_u, (_, in_v)) in quotients.iter().zip(&self.terms) {
+                polynomial.add_term(in_u, in_v);
+            }
+            return Some(polynomial);
+        }
+        let columns: Option<Vec<_>> = self
+            .columns()
+            .iter()
+            .map(|column| column.exact_div(divisor))
+            .collect();
+        Some(Self::from_columns(&columns?))
+    }
+
+    /// p / d(v) if d divides.
+    #[must_use]
+    pub fn exact_div_v(&self, divisor: &UniPoly<F>) -> Option<Self> {
+        Some(self.transpose().exact_div_u(divisor)?.transpose())
+    }
+
+    /// Adds f(u) g(v), merging it with a term that shares a factor.
+    fn add_term(&mut self, in_u: &UniPoly<F>, in_v: &UniPoly<F>) {
+        if in_u.is_zero() || in_v.is_zero() {
+            return;
+        }
+        let primitive = in_u.primitive();
+        let scale = in_u.leading_coefficient();
+        let in_v = match primitive.leading_coefficient().inverse() {
+            Some(inverse) => in_v.scale(&scale.times(&inverse)),
+            None => return,
+        };
+        if let Some(index) = self.terms.iter().position(|(own, _)| *own == primitive) {
+            self.terms[index].1 = &self.terms[index].1 + &in_v;
+            if self.terms[index].1.is_zero() {
+                self.terms.swap_remove(index);
+            }
+            return;
+        }
+        if let Some(index) = self.terms.iter().position(|(_, own)| *own == in_v) {
+            let (own, in_v) = self.terms.swap_remove(index);
+            return self.add_term(&(&own + &primitive), &in_v);
+        }
+        self.terms.push((primitive, in_v));
+    }
+
+    /// Falls back to the dense form once that has fewer terms.
+    fn limit_terms(self) -> Self {
+        if self.terms.len() <= 3 {
+            return self;
+        }
+        let in_u = self.terms.iter().filter_map(|(own, _)| own.degree()).max();
+        let in_v = self.terms.iter().filter_map(|(_, own)| own.degree()).max();
+        let (in_u, in_v) = (in_u.unwrap_or(0), in_v.unwrap_or(0));
+        if self.terms.len() <= in_u.min(in_v) + 1 {
+            return self;
+        }
+        if in_u <= in_v {
+            Self::from_rows(&self.rows())
+        } else {
+            Self::from_columns(&self.columns())
+        }
+    }
+
+    fn map(&self, change: impl Fn(&UniPoly<F>, &UniPoly<F>) -> (UniPoly<F>, UniPoly<F>)) -> Self {
+        let mut polynomial = Self::zero();
+        for (in_u, in_v) in &self.terms {
+            let (in_u, in_v) = change(in_u, in_v);
+            polynomial.add_term(&in_u, &in_v);
+        }
+        polynomial
+    }
+}
+
+impl<F: Field> PartialEq for BiPoly<F> {
+    fn eq(&self, other: &Self) -> bool {
+        self.rows() == other.rows()
+    }
+}
+
+impl<F: Field> Eq for BiPoly<F> {}
+
+impl<F: Field> Add for &BiPoly<F> {
+    type Output = BiPoly<F>;
+    fn add(self, other: Self) -> BiPoly<F> {
+        let mut sum = self.clone();
+        for (in_u, in_v) in &other.terms {
+            sum.add_term(in_u, in_v);
+        }
+        sum.limit_terms()
+    }
+}
+
+impl<F: Field> Sub for &BiPoly<F> {
+    type Output = BiPoly<F>;
+    fn sub(self, other: Self) -> BiPoly<F> {
+        self + &-other
+    }
+}
+
+impl<F: Field> Neg for &BiPoly<F> {
+    type Output = BiPoly<F>;
+    fn neg(self) -> BiPoly<F> {
+        let terms = self.terms.iter();
+        BiPoly {
+            terms: terms.map(|(in_u, in_v)| (in_u.clone(), -in_v)).collect(),
+        }
+    }
+}
+
+impl<F: Field> Mul for &BiPoly<F> {
+    type Output = BiPoly<F>;
+    fn mul(self, other: Self) -> BiPoly<F> {
+        let mut product = BiPoly::zero();
+        for (left_u, left_v) in &self.terms {
+            for (right_u, right_v) in &other.terms {
+                product.add_term(&(left_u * right_u), &(left_v * right_v));
+            }
+        }
+        product.limit_terms()
+    }
+}
