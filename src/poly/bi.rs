@@ -154,17 +154,21 @@ impl<F: Field> BiPoly<F> {
     /// p(a, v) as a polynomial in v.
     #[must_use]
     pub fn at_u(&self, at: &F) -> UniPoly<F> {
-        self.terms.iter().fold(UniPoly::zero(), |sum, (in_u, in_v)| {
-            &sum + &in_v.scale(&in_u.evaluate(at))
-        })
+        self.terms
+            .iter()
+            .fold(UniPoly::zero(), |sum, (in_u, in_v)| {
+                &sum + &in_v.scale(&in_u.evaluate(at))
+            })
     }
 
     /// p(u, b) as a polynomial in u.
     #[must_use]
     pub fn at_v(&self, at: &F) -> UniPoly<F> {
-        self.terms.iter().fold(UniPoly::zero(), |sum, (in_u, in_v)| {
-            &sum + &in_u.scale(&in_v.evaluate(at))
-        })
+        self.terms
+            .iter()
+            .fold(UniPoly::zero(), |sum, (in_u, in_v)| {
+                &sum + &in_u.scale(&in_v.evaluate(at))
+            })
     }
 
     /// ∂p/∂u
@@ -226,7 +230,11 @@ impl<F: Field> BiPoly<F> {
         if divisor.is_constant() {
             return Some(self.scale(&divisor.leading_coefficient().inverse()?));
         }
-        let termwise: Option<Vec<_>> = self.terms.iter().map(|(in_u, _)| in_u.exact_div(divisor)).collect();
+        let termwise: Option<Vec<_>> = self
+            .terms
+            .iter()
+            .map(|(in_u, _)| in_u.exact_div(divisor))
+            .collect();
         if let Some(quotients) = termwise {
             let mut polynomial = Self::zero();
             for (in_u, (_, in_v)) in quotients.iter().zip(&self.terms) {
@@ -234,8 +242,11 @@ impl<F: Field> BiPoly<F> {
             }
             return Some(polynomial);
         }
-        let columns: Option<Vec<_>> =
-            self.columns().iter().map(|column| column.exact_div(divisor)).collect();
+        let columns: Option<Vec<_>> = self
+            .columns()
+            .iter()
+            .map(|column| column.exact_div(divisor))
+            .collect();
         Some(Self::from_columns(&columns?))
     }
 
