@@ -3,7 +3,7 @@ use serde::Serialize;
 use crate::check::{AffineDegree, Checked, Judgement, Verdict};
 use crate::curve::Interval;
 use crate::number::{Field, Real};
-use crate::poly::{BiDegree, BiPoly, Coprimality, UniPoly, ZeroSet, ZeroSetKind};
+use crate::poly::{BiDegree, BiPoly, Coprimality, UniPoly, ZeroKind, ZeroSet};
 
 /// The report of a file, as `report --format json` prints it.
 #[derive(Debug, Clone, Serialize)]
@@ -249,10 +249,10 @@ fn place(zeros: &ZeroSet<Real>) -> PlaceReport {
     let bounds = |(lower, upper): &(Real, Real)| [lower.to_string(), upper.to_string()];
     PlaceReport {
         kind: match zeros.kind {
-            ZeroSetKind::LineInU => "u",
-            ZeroSetKind::LineInV => "v",
-            ZeroSetKind::Point => "point",
-            ZeroSetKind::Box => "box",
+            ZeroKind::LineU => "u",
+            ZeroKind::LineV => "v",
+            ZeroKind::Point => "point",
+            ZeroKind::Box => "box",
         },
         u: bounds(&zeros.u),
         v: bounds(&zeros.v),
