@@ -9,9 +9,10 @@
 use proptest::prelude::*;
 use sweepc::number::{Field, Rational};
 use sweepc::poly::{
-    Antiderivative, Coprimality, SquareTest, UniPoly, bernstein, certify_coprime, count_roots,
-    de_casteljau, from_bernstein, gcd, gcd_all, integrate, lcm, odd_part, real_roots, sign_change,
-    square_free, square_test, subdivide,
+    Antiderivative, BiPoly, BiSquareTest, Coprimality, SquareTest, UniPoly, ZeroKind, Zeros,
+    bernstein, certify_coprime, count_roots, de_casteljau, exact_div_bi, from_bernstein, gcd,
+    gcd_all, gcd_bi, integrate, lcm, odd_part, real_roots, resultant, resultant_v, sign_change,
+    square_free, square_test, square_test_bi, subdivide, zeros_in_box,
 };
 
 type Poly = UniPoly<Rational>;
@@ -66,6 +67,19 @@ fn factored() -> impl Strategy<Value = (Poly, Vec<(Poly, u32)>)> {
         }
         (product, joined)
     })
+}
+
+/// Polynomials in u and v of bidegree at most (3, 3), products and zero among them.
+fn bivariate() -> impl Strategy<Value = BiPoly<Rational>> {
+    let term = (any_polynomial(3), any_polynomial(3)).prop_map(|(f, g)| BiPoly::product(&f, &g));
+    prop::collection::vec(term, 0..4)
+        .prop_map(|terms| terms.iter().fold(BiPoly::zero(), |sum, term| &sum + term))
+}
+
+/// Small integers for coefficients.
+fn small_bivariate(degree: usize) -> impl Strategy<Value = BiPoly<Rational>> {
+    let row = prop::collection::vec(-3_i64..=3, degree + 1).prop_map(|row| polynomial(&row));
+    prop::collection::vec(row, 1..=degree + 1).prop_map(|rows| BiPoly::from_rows(&rows))
 }
 
 fn divides(divisor: &Poly, dividend: &Poly) -> bool {
@@ -273,4 +287,147 @@ proptest! {
         prop_assert_eq!(left, bernstein(&p, degree, &from, &at));
         prop_assert_eq!(right, bernstein(&p, degree, &at, &to));
     }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(96))]
+
+    #[test]
+    fn bivariate_common_factors_come_out(a in bivariate(), b in bivariate(), g in bivariate()) {
+        prop_assume!(!g.is_zero());
+        let (left, right) = (&a * &g, &b * &g);
+        let inner = gcd_bi(&a, &b);
+        let outer = gcd_bi(&left, &right);
+        prop_assert_eq!(&outer, &(&inner * &g).primitive());
+        prop_assert_eq!(&gcd_bi(&right, &left), &outer);
+        prop_assert_eq!(exact_div_bi(&left, &g), Some(a.clone()));
+        if !outer.is_zero() {
+            let quotients = [&left, &right].map(|own| exact_div_bi(own, &outer).unwrap());
+            prop_assert_eq!(&quotients[0] * &outer, left);
+            prop_assert_eq!(&quotients[1] * &outer, right);
+        }
+    }
+
+    #[test]
+    fn bivariate_squares_are_known_and_near_squares_refused(
+        root in bivariate(), factor in number(), f in nonzero(3), change in number(),
+        i in 0_usize..4, j in 0_usize..4,
+    ) {
+        prop_assume!(!factor.is_zero());
+        let square = (&root * &root).scale(&factor);
+        let near = &square + &BiPoly::product(
+            &Poly::one().shift(i), &Poly::constant(&change).shift(j),
+        );
+        for candidate in [square.clone(), &square * &BiPoly::in_u(&f), &square * &BiPoly::in_v(&f), near] {
+            match square_test_bi(&candidate) {
+                BiSquareTest::Square { factor, root } => {
+                    prop_assert_eq!((&root * &root).scale(&factor), candidate);
+                    prop_assert_eq!(root.primitive(), root);
+                }
+                BiSquareTest::NotSquare { .. } => {
+                    prop_assert!(candidate != square);
+                    // the other road: on some line u = const or v = const it is none
+                    let refused = (-12..=12).map(Rational::from).any(|at| {
+                        [candidate.at_u(&at), candidate.at_v(&at)]
+                            .iter()
+                            .any(|own| !odd_part(own).is_constant())
+                    });
+                    prop_assert!(refused);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn resultants_vanish_with_a_common_root(a in nonzero(4), b in nonzero(4), root in number()) {
+        let common = !gcd(&a, &b).is_constant();
+        prop_assert_eq!(resultant(&a, &b).is_zero(), common);
+        let both = resultant(&(&a * &line(&root)), &b);
+        let split = &resultant(&a, &b) * &resultant(&line(&root), &b);
+        prop_assert_eq!(both, split);
+    }
+
+    #[test]
+    fn elimination_commutes_with_evaluation(
+        a in small_bivariate(2), b in small_bivariate(2), u in number(),
+    ) {
+        prop_assume!(!a.is_zero() && !b.is_zero());
+        let (high, low) = (a.at_u(&u), b.at_u(&u));
+        let degrees = [&a, &b].map(|own| own.bidegree().map(|degree| degree.v));
+        prop_assume!([high.degree(), low.degree()] == degrees);
+        prop_assert_eq!(resultant_v(&a, &b).evaluate(&u), resultant(&high, &low));
+    }
+
+    #[test]
+    fn zeros_agree_with_samples(p in small_bivariate(3), from in -2_i64..=1, size in 1_i64..=2) {
+        let (from, to) = (Rational::from(from), Rational::from(from + size));
+        let grid: Vec<Rational> = (0..=8)
+            .map(|step| &from + &Rational::new((step * size).into(), 8.into()))
+            .collect();
+        let signs = grid.iter().flat_map(|u| grid.iter().map(|v| p.evaluate(u, v).sign()));
+        let signs: Vec<_> = signs.collect();
+        match zeros_in_box(&p, (&from, &to), (&from, &to)) {
+            Zeros::None => {
+                prop_assert!(signs.iter().all(|sign| sign.is_ne() && *sign == signs[0]));
+            }
+            Zeros::Some(sets) => {
+                for set in &sets {
+                    prop_assert!(from <= set.u.0 && set.u.1 <= to && set.u.0 <= set.u.1);
+                    prop_assert!(from <= set.v.0 && set.v.1 <= to && set.v.0 <= set.v.1);
+                    check_zero_set(&p, set)?;
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn touching_points_are_found_and_missed_when_lifted(
+        a in number(), b in number(), slope in -2_i64..=2, weight in 1_i64..=3,
+    ) {
+        // (u−a)² + w (v−b+s(u−a)²)² vanishes at (a, b) only
+        let first = BiPoly::in_u(&Poly::from_coefficients(&[-&a, Rational::from(1)]));
+        let second = BiPoly::in_v(&Poly::from_coefficients(&[-&b, Rational::from(1)]));
+        let second = &second + &first.power(2).scale(&slope.into());
+        let touching = &first.power(2) + &second.power(2).scale(&weight.into());
+        let (low, high) = (Rational::from(-1), Rational::from(1));
+        let inside = |value: &Rational| &low <= value && value <= &high;
+        match zeros_in_box(&touching, (&low, &high), (&low, &high)) {
+            Zeros::None => prop_assert!(!inside(&a) || !inside(&b)),
+            Zeros::Some(sets) => {
+                prop_assert_eq!(sets.len(), 1);
+                prop_assert_eq!(&sets[0].u, &(a.clone(), a));
+                prop_assert_eq!(&sets[0].v, &(b.clone(), b));
+            }
+        }
+        let lifted = &touching + &BiPoly::constant(&Rational::new(1.into(), 1_000_000.into()));
+        prop_assert_eq!(zeros_in_box(&lifted, (&low, &high), (&low, &high)), Zeros::None);
+    }
+}
+
+/// A set of zeros holds one: by evaluation where it is exact, by a change of sign or the roots
+/// on a line elsewhere.
+fn check_zero_set(
+    p: &BiPoly<Rational>,
+    set: &sweepc::poly::ZeroSet<Rational>,
+) -> Result<(), TestCaseError> {
+    let (u, v) = (&set.u, &set.v);
+    match set.kind {
+        ZeroKind::LineU => prop_assert!(count_roots(&p.content_u(), &u.0, &u.1) == 1),
+        ZeroKind::LineV => prop_assert!(count_roots(&p.content_v(), &v.0, &v.1) == 1),
+        ZeroKind::Point if u.0 == u.1 => {
+            prop_assert!(count_roots(&p.at_u(&u.0), &v.0, &v.1) == 1);
+        }
+        ZeroKind::Point => prop_assert!(count_roots(&p.at_v(&v.0), &u.0, &u.1) == 1),
+        ZeroKind::Box if p.is_zero() => {}
+        ZeroKind::Box => {
+            // the divisors in one variable alone may hide the change of sign of the rest
+            let rest = p.exact_div_u(&p.content_u()).unwrap();
+            let rest = rest.exact_div_v(&p.content_v()).unwrap();
+            let corners = [(&u.0, &v.0), (&u.0, &v.1), (&u.1, &v.0), (&u.1, &v.1)];
+            let signs = corners.map(|(u, v)| rest.evaluate(u, v).sign());
+            prop_assert!(signs.contains(&std::cmp::Ordering::Less));
+            prop_assert!(signs.contains(&std::cmp::Ordering::Greater));
+        }
+    }
+    Ok(())
 }

@@ -106,7 +106,7 @@ impl Judge<'_> {
             (Some(left), Some(right)) => first(left).zip(first(right)).is_some_and(|(l, r)| left.scale(&r) == right.scale(&l)),
             _ => false,
         };
-        let text = |own: &Option<BiPoly<Real>>| own.as_ref().map_or_else(|| "not a polynomial".to_owned(), display);
+        let text = |own: &Option<BiPoly<Real>>| own.as_ref().map_or_else(|| "not a polynomial".to_owned(), ToString::to_string);
         Ok(verdict(relation, equal, format!("{} and {}", text(&left), text(&right))))
     }
 
@@ -183,24 +183,4 @@ fn show(degree: &Option<[Real; 2]>) -> String {
 
 fn first(polynomial: &BiPoly<Real>) -> Option<Real> {
     polynomial.rows().last().map(UniPoly::leading_coefficient)
-}
-
-/// A polynomial in u and v, as rows in powers of u.
-fn display(polynomial: &BiPoly<Real>) -> String {
-    let rows = polynomial.rows();
-    let mut parts = Vec::new();
-    for (power, row) in rows.iter().enumerate().rev().filter(|(_, row)| !row.is_zero()) {
-        let text = row.display("v");
-        let monomial = match power {
-            0 => String::new(),
-            1 => "u".to_owned(),
-            _ => format!("u^{power}"),
-        };
-        parts.push(match (text.as_str(), monomial.is_empty()) {
-            (_, true) => text,
-            ("1", false) => monomial,
-            (_, false) => format!("({text}) {monomial}"),
-        });
-    }
-    if parts.is_empty() { "0".to_owned() } else { parts.join(" + ") }
 }

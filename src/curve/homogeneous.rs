@@ -1,5 +1,7 @@
 use crate::number::Real;
-use crate::poly::{UniPoly, gcd_all, lcm};
+use crate::poly::{Fraction, RealRoot, UniPoly, gcd_all, lcm, real_roots};
+
+use super::{Interval, Parameter};
 
 /// A curve in homogeneous coordinates (w; x, y, z): the points (x/w, y/w, z/w).
 ///
@@ -22,25 +24,34 @@ impl Homogeneous {
         }
     }
 
-    /// Brings three fractions over the least common multiple of their denominators, as they are
-    /// written; none if a denominator is 0.
+    /// Brings three fractions in one parameter over the least common multiple of their
+    /// denominators, as they are written; none if they depend on the other parameter.
     #[must_use]
-    pub fn over_common_denominator(fractions: &[(UniPoly<Real>, UniPoly<Real>); 3]) -> Option<Self> {
-        let mut weight = UniPoly::one();
-        for (_, denominator) in fractions {
-            if denominator.is_zero() {
-                return None;
-            }
-            weight = lcm(&weight, denominator);
-        }
-        let over = |(numerator, denominator): &(UniPoly<Real>, UniPoly<Real>)| {
+    pub fn from_fractions(fractions: &[Fraction<Real>; 3], parameter: Parameter) -> Option<Self> {
+        let zero = Real::from(0);
+        let parts = fractions.each_ref().map(|own| match parameter {
+            Parameter::U => (own.numerator().at_v(&zero), own.denominator().in_u()),
+            Parameter::V => (own.numerator().at_u(&zero), own.denominator().in_v()),
+        });
+        let weight = parts.iter().fold(UniPoly::one(), |common, (_, own)| lcm(&common, own));
+        let over = |(numerator, denominator): &(UniPoly<Real>, &UniPoly<Real>)| {
             Some(numerator * &weight.exact_div(denominator)?)
         };
-        let coordinates = [over(&fractions[0])?, over(&fractions[1])?, over(&fractions[2])?];
+        let coordinates = [over(&parts[0])?, over(&parts[1])?, over(&parts[2])?];
         Some(Self {
             weight,
             coordinates,
         })
+    }
+
+    /// The first zero on an interval that all four coordinates share.
+    #[must_use]
+    pub fn common_zero(&self, domain: &Interval) -> Option<RealRoot<Real>> {
+        let common = gcd_all(std::iter::once(&self.weight).chain(&self.coordinates));
+        if common.is_constant() {
+            return None;
+        }
+        real_roots(&common, domain.start(), domain.end()).into_iter().next()
     }
 
     /// The same curve without the common factor of w, x, y, z.

@@ -42,6 +42,14 @@ pub(super) fn binomials(degree: usize) -> Vec<Integer> {
     row
 }
 
+/// m / C(n, i) for the least common multiple m of the binomial coefficients.
+pub(super) fn integral_scales(degree: usize) -> Vec<Integer> {
+    let binomials = binomials(degree);
+    let one = Integer::from(1);
+    let common = binomials.iter().fold(one, |common, own| lcm(&common, own));
+    binomials.iter().map(|own| &common / own).collect()
+}
+
 /// Σ bᵢ C(n,i) (1−t)ⁿ⁻ⁱ tⁱ at the local parameter t; 0 for no coefficients.
 #[must_use]
 pub fn de_casteljau<F: Field>(coefficients: &[F], at: &F) -> F {

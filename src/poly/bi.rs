@@ -1,3 +1,4 @@
+use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
 
 use crate::number::Field;
@@ -153,17 +154,21 @@ impl<F: Field> BiPoly<F> {
     /// p(a, v) as a polynomial in v.
     #[must_use]
     pub fn at_u(&self, at: &F) -> UniPoly<F> {
-        self.terms.iter().fold(UniPoly::zero(), |sum, (in_u, in_v)| {
-            &sum + &in_v.scale(&in_u.evaluate(at))
-        })
+        self.terms
+            .iter()
+            .fold(UniPoly::zero(), |sum, (in_u, in_v)| {
+                &sum + &in_v.scale(&in_u.evaluate(at))
+            })
     }
 
     /// p(u, b) as a polynomial in u.
     #[must_use]
     pub fn at_v(&self, at: &F) -> UniPoly<F> {
-        self.terms.iter().fold(UniPoly::zero(), |sum, (in_u, in_v)| {
-            &sum + &in_u.scale(&in_v.evaluate(at))
-        })
+        self.terms
+            .iter()
+            .fold(UniPoly::zero(), |sum, (in_u, in_v)| {
+                &sum + &in_u.scale(&in_v.evaluate(at))
+            })
     }
 
     /// ∂p/∂u
@@ -225,7 +230,11 @@ impl<F: Field> BiPoly<F> {
         if divisor.is_constant() {
             return Some(self.scale(&divisor.leading_coefficient().inverse()?));
         }
-        let termwise: Option<Vec<_>> = self.terms.iter().map(|(in_u, _)| in_u.exact_div(divisor)).collect();
+        let termwise: Option<Vec<_>> = self
+            .terms
+            .iter()
+            .map(|(in_u, _)| in_u.exact_div(divisor))
+            .collect();
         if let Some(quotients) = termwise {
             let mut polynomial = Self::zero();
             for (in_u, (_, in_v)) in quotients.iter().zip(&self.terms) {
@@ -233,8 +242,11 @@ impl<F: Field> BiPoly<F> {
             }
             return Some(polynomial);
         }
-        let columns: Option<Vec<_>> =
-            self.columns().iter().map(|column| column.exact_div(divisor)).collect();
+        let columns: Option<Vec<_>> = self
+            .columns()
+            .iter()
+            .map(|column| column.exact_div(divisor))
+            .collect();
         Some(Self::from_columns(&columns?))
     }
 
@@ -294,6 +306,25 @@ impl<F: Field> BiPoly<F> {
             polynomial.add_term(&in_u, &in_v);
         }
         polynomial
+    }
+}
+
+/// By descending powers of u: `(v^2 + 1) u^2 + v`.
+impl<F: Field> fmt::Display for BiPoly<F> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let rows = self.rows();
+        let mut parts = Vec::new();
+        for (power, row) in rows.iter().enumerate().rev().filter(|(_, row)| !row.is_zero()) {
+            let monomial = UniPoly::<F>::one().shift(power).display("u");
+            parts.push(match row.display("v").as_str() {
+                text if power == 0 => text.to_owned(),
+                "1" => monomial,
+                text if row.is_constant() && !text.contains(' ') => format!("{text} {monomial}"),
+                text => format!("({text}) {monomial}"),
+            });
+        }
+        let text = parts.join(" + ").replace("+ -", "- ");
+        formatter.write_str(if parts.is_empty() { "0" } else { &text })
     }
 }
 

@@ -1,5 +1,6 @@
 use super::image::Image;
 use super::modular;
+use super::subresultant::Subresultant;
 use super::{Coprimality, UniPoly};
 use crate::number::{Field, Ring};
 
@@ -112,62 +113,8 @@ fn gcd_exact<F: Field>(left: &UniPoly<F>, right: &UniPoly<F>, bound: Option<usiz
     if let Some(common) = modular::gcd(&high, &low) {
         return common;
     }
-    let common = last_subresultant(high.numerators(), low.numerators());
-    UniPoly::from_numerators(common, F::Ring::one().content()).primitive()
-}
-
-/// The last subresultant of two polynomials that is not 0, up to a factor of the ring; the
-/// degree of the first is not below that of the second.
-///
-/// With g = lc and h the leading coefficient of the regular subresultant of the same level, the
-/// pseudo-remainder of two neighbours is divisible by g hᵟ in any integral domain, where δ is
-/// the difference of their degrees. (Collins' and Brown's reduction)
-fn last_subresultant<R: Ring>(high: &[R], low: &[R]) -> Vec<R> {
-    let (mut high, mut low) = (high.to_vec(), low.to_vec());
-    let (mut lead, mut regular) = (R::one(), R::one());
-    while low.len() > 1 {
-        let gap = high.len() - low.len();
-        let remainder = pseudo_remainder(high, &low);
-        if remainder.is_empty() {
-            return low;
-        }
-        let divisor = lead.times(&power(&regular, gap));
-        let reduced: Option<Vec<R>> = remainder.iter().map(|own| own.quotient(&divisor)).collect();
-        high = low;
-        low = reduced.unwrap_or(remainder);
-        lead = high[high.len() - 1].clone();
-        regular = match gap {
-            0 => regular,
-            1 => lead.clone(),
-            _ => power(&lead, gap)
-                .quotient(&power(&regular, gap - 1))
-                .unwrap_or_else(R::one),
-        };
-    }
-    vec![R::one()]
-}
-
-/// lc(b)^(δ+1) a mod b, with δ = deg a − deg b.
-fn pseudo_remainder<R: Ring>(mut high: Vec<R>, low: &[R]) -> Vec<R> {
-    let (body, lead) = (&low[..low.len() - 1], &low[low.len() - 1]);
-    for offset in (0..=high.len() - low.len()).rev() {
-        let top = high[offset + body.len()].negated();
-        high.truncate(offset + body.len());
-        for (index, own) in high.iter_mut().enumerate() {
-            *own = own.times(lead);
-            if index >= offset {
-                own.add_product(&top, &body[index - offset]);
-            }
-        }
-    }
-    while high.last().is_some_and(Ring::is_zero) {
-        high.pop();
-    }
-    high
-}
-
-fn power<R: Ring>(base: &R, exponent: usize) -> R {
-    (0..exponent).fold(R::one(), |power, _| power.times(base))
+    let last = Subresultant::of(high.numerators(), low.numerators());
+    UniPoly::from_numerators(last.polynomial, F::Ring::one().content()).primitive()
 }
 
 #[cfg(test)]
@@ -187,8 +134,8 @@ mod tests {
         let (high, low) = (&right * &common, &left * &common);
         assert_eq!(gcd(&high, &low), common);
         assert_eq!(modular::gcd(&high, &low), Some(common.clone()));
-        let road = last_subresultant(high.numerators(), low.numerators());
-        let road = UniPoly::<Rational>::from_numerators(road, 1.into());
+        let road = Subresultant::of(high.numerators(), low.numerators());
+        let road = UniPoly::<Rational>::from_numerators(road.polynomial, 1.into());
         assert_eq!(road.primitive(), common);
         assert_eq!(lcm(&high, &low), (&(&left * &right) * &common).primitive());
     }

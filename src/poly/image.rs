@@ -1,4 +1,4 @@
-use super::UniPoly;
+use super::{BiPoly, UniPoly};
 use crate::number::{Field, Residue, Ring};
 
 /// A polynomial over the prime field of [`Residue`], ascending, without trailing zeros: the
@@ -19,6 +19,81 @@ impl Image {
             coefficients.pop();
         }
         Self(coefficients)
+    }
+
+    /// The image of p(a, v), a polynomial in v; none if the field has no
+    /// image or a denominator vanishes in it.
+    pub(super) fn at_u<F: Field>(polynomial: &BiPoly<F>, at: Residue) -> Option<Self> {
+        let terms = polynomial.terms().iter();
+        Self::at(terms.map(|(in_u, in_v)| (in_u, in_v)), at)
+    }
+
+    /// The image of p(u, b), a polynomial in u.
+    pub(super) fn at_v<F: Field>(polynomial: &BiPoly<F>, at: Residue) -> Option<Self> {
+        let terms = polynomial.terms().iter();
+        Self::at(terms.map(|(in_u, in_v)| (in_v, in_u)), at)
+    }
+
+    /// Σ fₖ(a) gₖ
+    fn at<'a, F: Field>(
+        terms: impl Iterator<Item = (&'a UniPoly<F>, &'a UniPoly<F>)>,
+        at: Residue,
+    ) -> Option<Self> {
+        let mut sum: Vec<Residue> = Vec::new();
+        for (fixed, free) in terms {
+            let value = Self::of(fixed)?.evaluate(at);
+            let denominators = [fixed, free].map(UniPoly::denominator);
+            let denominator = denominators
+                .into_iter()
+                .filter(|own| !Ring::is_one(*own))
+                .fold(Residue::ONE, |all, own| all * Residue::of_integer(own));
+            if denominator == Residue::ZERO {
+                return None;
+            }
+            let weight = if denominator == Residue::ONE {
+                value
+            } else {
+                value * denominator.inverse()
+            };
+            let length = sum.len().max(free.numerators().len());
+            sum.resize(length, Residue::ZERO);
+            for (own, numerator) in sum.iter_mut().zip(free.numerators()) {
+                *own = *own + numerator.residue()? * weight;
+            }
+        }
+        Some(Self::new(sum))
+    }
+
+    fn evaluate(&self, at: Residue) -> Residue {
+        let coefficients = self.0.iter().rev();
+        coefficients.fold(Residue::ZERO, |value, own| value * at + *own)
+    }
+
+    /// Whether it is a constant times a square; 0 is.
+    ///
+    /// The root of the monic multiple follows from the upper half of the coefficients.
+    pub(super) fn is_square(&self) -> bool {
+        let Some(lead) = self.0.last() else {
+            return true;
+        };
+        if self.0.len().is_multiple_of(2) {
+            return false;
+        }
+        let (inverse, half) = (lead.inverse(), Residue::new(2).inverse());
+        let monic: Vec<Residue> = self.0.iter().rev().map(|own| *own * inverse).collect();
+        let mut root = vec![Residue::ONE];
+        for (order, own) in monic.iter().enumerate().skip(1) {
+            let first = (order + 1).saturating_sub(self.0.len().div_ceil(2)).max(1);
+            let sum = (first..root.len().min(order + 1 - first))
+                .map(|index| root[index] * root[order - index])
+                .fold(Residue::ZERO, |sum, product| sum + product);
+            if order <= self.0.len() / 2 {
+                root.push((*own - sum) * half);
+            } else if sum != *own {
+                return false;
+            }
+        }
+        true
     }
 
     /// The degree; none for 0.

@@ -1,33 +1,45 @@
 //! Exact polynomials and rational functions over any [`Field`](crate::number::Field), without
 //! fractions inside: integer numerators over one common denominator.
 
+mod algebraic;
 mod bernstein;
 mod bi;
 mod bidegree;
+mod bigcd;
+mod bisquare;
 mod coprimality;
 mod fraction;
 mod gcd;
 mod image;
 mod integrate;
+mod interpolation;
 mod modular;
 mod rational_roots;
 mod restrict;
+mod resultant;
 mod root;
 mod square;
 mod squarefree;
 mod sturm;
+mod subresultant;
+mod tensor;
+mod touching;
 mod uni;
+mod zero_set;
 
 pub use bernstein::{bernstein, de_casteljau, from_bernstein, subdivide};
 pub use bi::BiPoly;
 pub use bidegree::BiDegree;
+pub use bigcd::{exact_div_bi, gcd_bi};
+pub use bisquare::{BiSquareTest, square_test_bi};
 pub use coprimality::Coprimality;
 pub use fraction::{Denominator, Fraction};
 pub use gcd::{certify_coprime, gcd, gcd_all, lcm};
 pub use integrate::{Antiderivative, integrate};
+pub use resultant::{resultant, resultant_v};
 pub use root::{RealRoot, real_roots, sign_change};
 pub use square::{SquareTest, square_test};
 pub use squarefree::{odd_part, square_free};
 pub use sturm::count_roots;
 pub use uni::UniPoly;
-mod bistub; pub use bistub::*;
+pub use zero_set::{ZeroKind, ZeroSet, Zeros, zeros_in_box};

@@ -1,10 +1,10 @@
 use std::cmp::Ordering;
 
 use super::UniPoly;
-use super::bernstein::{binomials, scaled_bernstein};
+use super::bernstein::{integral_scales, scaled_bernstein};
 use super::rational_roots::roots_in_field;
 use super::squarefree::square_free;
-use crate::number::{Field, Integer, Ring, lcm};
+use crate::number::{Field, Integer, Ring};
 
 /// A real root of a polynomial: a number given by a square-free polynomial and an interval that
 /// holds none of its other roots.
@@ -29,6 +29,15 @@ impl<F: Field> RealRoot<F> {
             lower: value.clone(),
             upper: value,
             multiplicity,
+        }
+    }
+
+    /// The same root by a divisor of its polynomial, which has it as its only root between the
+    /// bounds.
+    pub(super) fn of_divisor(&self, divisor: UniPoly<F>) -> Self {
+        Self {
+            polynomial: divisor,
+            ..self.clone()
         }
     }
 
@@ -250,13 +259,10 @@ fn isolate<F: Field>(polynomial: &UniPoly<F>, from: &F, to: &F) -> Result<Vec<(F
 fn integral_bernstein<F: Field>(polynomial: &UniPoly<F>, from: &F, to: &F) -> Vec<F::Ring> {
     let local = polynomial.restrict(from, to);
     let degree = local.degree().unwrap_or(0);
-    let binomials = binomials(degree);
-    let one = Integer::from(1);
-    let common = binomials.iter().fold(one, |common, own| lcm(&common, own));
     scaled_bernstein(local.numerators(), degree)
         .iter()
-        .zip(&binomials)
-        .map(|(own, binomial)| own.scaled(&(&common / binomial)))
+        .zip(&integral_scales(degree))
+        .map(|(own, scale)| own.scaled(scale))
         .collect()
 }
 

@@ -3,8 +3,7 @@ use std::rc::Rc;
 use crate::curve::{self, Axis, Curve, Homogeneous, Parameter};
 use crate::diag::{Code, Diagnostic, Span};
 use crate::number::Real;
-use crate::poly::{Fraction, UniPoly, gcd_all, real_roots};
-use crate::sweep::{Domain, Expander, Scalar};
+use crate::sweep::{Domain, Expanded, Expander, Scalar};
 use crate::syntax::ast::{Argument, Expr, ExprKind, Interval, Name, Plane, Role};
 
 use super::definition::{Definition, DefinitionForm};
@@ -127,14 +126,13 @@ impl<'a> Lowerer<'a> {
         let scope = Scope::of(&[parameter]);
         let lowered = self.value(value, &scope)?;
         let fractions = self.expand_on(&lowered, parameter, domain)?;
-        let fractions: [Fraction<Real>; 3] = match (lowered, plane) {
+        let fractions = match (lowered, plane) {
             (Value::Pair(_), Some(plane)) => {
-                let zero = || Fraction::constant(&Real::from(0));
-                let (first, second) = plane.axes();
-                let mut placed = [zero(), zero(), zero()];
-                placed[first.index()] = fractions[0].clone();
-                placed[second.index()] = fractions[1].clone();
-                placed
+                let [first, second] = [plane.axes().0, plane.axes().1];
+                Axis::ALL.map(|axis| {
+                    let index = [first, second].iter().position(|own| *own == axis);
+                    index.map_or_else(|| Expanded::constant(&Real::from(0)), |index| fractions[index].clone())
+                })
             }
             (Value::Vector(_), None) => [fractions[0].clone(), fractions[1].clone(), fractions[2].clone()],
             (Value::Vector(_), Some(plane)) => {
@@ -153,11 +151,10 @@ impl<'a> Lowerer<'a> {
                 return Err(self.report(Diagnostic::new(Code::E0106, value.span, message)));
             }
         };
-        let parts = fractions.each_ref().map(|own| univariate(own, parameter));
-        Homogeneous::over_common_denominator(&parts).ok_or(super::lowerer::Reported)
+        Homogeneous::from_fractions(&fractions, parameter).ok_or(super::lowerer::Reported)
     }
 
-    fn expand_on(&mut self, value: &Value, parameter: Parameter, domain: &curve::Interval) -> Lowered<Vec<Fraction<Real>>> {
+    fn expand_on(&mut self, value: &Value, parameter: Parameter, domain: &curve::Interval) -> Lowered<Vec<Expanded>> {
         let mut rectangle = Domain::unit();
         match parameter {
             Parameter::U => rectangle.u = domain.clone(),
@@ -175,23 +172,10 @@ impl<'a> Lowerer<'a> {
         if position.is_polynomial() {
             return;
         }
-        let common = gcd_all(std::iter::once(&position.weight).chain(&position.coordinates));
-        if common.is_constant() {
-            return;
-        }
-        if let Some(root) = real_roots(&common, domain.start(), domain.end()).first() {
+        if let Some(root) = position.common_zero(domain) {
             let message = format!("numerators and denominator of `{}` are all zero at {parameter} = {root}", name.text);
             let finding = Diagnostic::new(Code::W1004, name.span, message);
             self.report(finding.note("the common factor cancels, the curve is sound there"));
         }
-    }
-}
-
-/// A fraction in one parameter as two polynomials.
-fn univariate(fraction: &Fraction<Real>, parameter: Parameter) -> (UniPoly<Real>, UniPoly<Real>) {
-    let zero = Real::from(0);
-    match parameter {
-        Parameter::U => (fraction.numerator().at_v(&zero), fraction.denominator().in_u().clone()),
-        Parameter::V => (fraction.numerator().at_u(&zero), fraction.denominator().in_v().clone()),
     }
 }

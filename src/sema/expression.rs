@@ -4,7 +4,7 @@ use crate::number::{Field, Rational, Real};
 use crate::sweep::{Domain, Expander, Form, Scalar};
 use crate::syntax::ast::{Expr, ExprKind, Name, Reference, Sign};
 
-use super::lowerer::{Lowered, Lowerer, Meaning, RESERVED, parameter_of};
+use super::lowerer::{Lowered, Lowerer, Meaning, RESERVED, Reported, parameter_of};
 use super::scope::{Binding, Scope};
 use super::value::Value;
 
@@ -313,7 +313,7 @@ impl<'a> Lowerer<'a> {
             }
             Meaning::Function(function) => self.bare_function(&function.parameters, &function.value, name, scope),
             Meaning::Curve(curve) => Err(self.report_bare_curve(name, curve.parameter(), scope)),
-            Meaning::Surface(_) | Meaning::InProgress | Meaning::Failed => Err(super::lowerer::Reported),
+            Meaning::Surface(_) | Meaning::InProgress | Meaning::Failed => Err(Reported),
         }
     }
 
@@ -328,14 +328,17 @@ impl<'a> Lowerer<'a> {
         }
     }
 
-    fn report_bare_curve(&mut self, name: &Name, parameter: crate::curve::Parameter, scope: &Scope<'_>) -> super::lowerer::Reported {
+    fn report_bare_curve(&mut self, name: &Name, parameter: crate::curve::Parameter, scope: &Scope<'_>) -> Reported {
         let message = format!("the curve `{}` needs an argument", name.text);
         let finding = self.finding(scope, Code::E0107, name.span, message);
         self.report(finding.fix(name.span, format!("{}({parameter})", name.text)).help("give the parameter"))
     }
 
     /// Reports a name that nothing declares, with the nearest spelling that is declared.
-    pub(super) fn report_unknown(&mut self, name: &Name, scope: &Scope<'_>) -> super::lowerer::Reported {
+    pub(super) fn report_unknown(&mut self, name: &Name, scope: &Scope<'_>) -> Reported {
+        if self.broken.contains(&name.text.as_str()) {
+            return Reported;
+        }
         let finding = self.finding(scope, Code::E0101, name.span, format!("`{}` is not declared", name.text));
         let finding = match self.nearest(&name.text, scope) {
             Some(near) => finding.help(format!("did you mean `{near}`?")).fix(name.span, near),

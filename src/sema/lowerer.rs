@@ -3,14 +3,14 @@ use std::rc::Rc;
 
 use crate::curve::{Curve, Parameter};
 use crate::diag::{Code, Diagnostic, Diagnostics, FileId, Limits, SourceMap, Span};
-use crate::number::Real;
+use crate::number::{Real, Unit};
 use crate::sweep::SweptSurface;
 use crate::syntax::ast::{Declaration, Document, Expr, Item, Name, Role};
 
 use super::definition::{Definition, DefinitionForm};
 use super::scope::{Function, Scope};
 use super::value::Value;
-use super::{Program, Unit};
+use super::Program;
 
 /// The names that the language keeps for properties, parameters and unit vectors.
 pub(super) const RESERVED: [&str; 14] = [
@@ -73,6 +73,8 @@ pub(super) struct Lowerer<'a> {
     pub(super) mentioned: Vec<String>,
     /// Curves whose cusps have been reported.
     pub(super) cusps_reported: Vec<String>,
+    /// Names whose declarations could not be parsed; their uses are not reported.
+    pub(super) broken: Vec<&'a str>,
 }
 
 impl<'a> Lowerer<'a> {
@@ -86,6 +88,7 @@ impl<'a> Lowerer<'a> {
             depth: 0,
             mentioned: Vec::new(),
             cusps_reported: Vec::new(),
+            broken: sources.documents.iter().flat_map(|own| &own.broken).map(|own| own.text.as_str()).collect(),
         }
     }
 
@@ -222,7 +225,7 @@ impl<'a> Lowerer<'a> {
             let Declaration::Unit { name } = &item.declaration else {
                 continue;
             };
-            let Some(unit) = Unit::of(&name.text) else {
+            let Some(unit) = Unit::from_symbol(&name.text) else {
                 let finding = Diagnostic::new(Code::E0101, name.span, format!("`{}` is not a length unit", name.text));
                 self.report(finding.help("the units are mm, cm, m and inch"));
                 continue;
@@ -290,8 +293,7 @@ impl<'a> Lowerer<'a> {
             DefinitionForm::Function { parameters, value } => {
                 let parameters = self.parameters(parameters)?;
                 let value = self.value(value, &Scope::of(&parameters))?;
-                let name = definition.name.text.clone();
-                Ok(Meaning::Function(Rc::new(Function { name, parameters, value })))
+                Ok(Meaning::Function(Rc::new(Function { parameters, value })))
             }
             DefinitionForm::Curve { .. } => self.curve(definition).map(Meaning::Curve),
             DefinitionForm::Surface { domain, value } => {

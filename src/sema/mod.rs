@@ -18,6 +18,5 @@ mod property;
 mod scope;
 mod value;
 
-pub use definition::Unit;
 pub use lowerer::{Sources, lower};
 pub use program::Program;

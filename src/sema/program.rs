@@ -1,6 +1,5 @@
+use crate::number::Unit;
 use crate::sweep::{Expectation, SweptSurface};
-
-use super::Unit;
 
 /// What a file asks for: surfaces, and claims about them.
 #[derive(Debug, Clone, Default)]

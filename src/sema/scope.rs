@@ -28,7 +28,6 @@ pub(super) enum Binding<'a> {
 /// A declared function: its value in its own parameters.
 #[derive(Debug)]
 pub(super) struct Function {
-    pub(super) name: String,
     pub(super) parameters: Vec<Parameter>,
     pub(super) value: Value,
 }

@@ -21,7 +21,10 @@ pub struct Expander<'a> {
     expanded: HashMap<usize, (Scalar, Fraction<Real>)>,
 }
 
-type Expanded<T> = Result<T, Box<Diagnostic>>;
+/// What an expression expands to.
+pub type Expanded = Fraction<Real>;
+
+type Found<T> = Result<T, Box<Diagnostic>>;
 
 impl<'a> Expander<'a> {
     /// An expander for expressions that are used on a domain; it matters for the sign of roots.
@@ -41,7 +44,7 @@ impl<'a> Expander<'a> {
     /// Division by zero (E0207), a square root that is not rational (E0209, E0210), a normal
     /// that is not (E0307), a property that a curve does not have (E02xx), and the limits on
     /// degree and number of terms (E0505), which are checked before anything is multiplied.
-    pub fn expand(&mut self, expression: &Scalar) -> Expanded<Fraction<Real>> {
+    pub fn expand(&mut self, expression: &Scalar) -> Found<Fraction<Real>> {
         self.check_size(expression)?;
         self.fraction(expression)
     }
@@ -51,7 +54,7 @@ impl<'a> Expander<'a> {
     /// # Errors
     ///
     /// As [`Expander::expand`].
-    pub fn expand_vector(&mut self, vector: &Vector) -> Expanded<[Fraction<Real>; 3]> {
+    pub fn expand_vector(&mut self, vector: &Vector) -> Found<[Fraction<Real>; 3]> {
         let [x, y, z] = vector;
         Ok([self.expand(x)?, self.expand(y)?, self.expand(z)?])
     }
@@ -61,14 +64,14 @@ impl<'a> Expander<'a> {
     /// # Errors
     ///
     /// As [`Expander::expand`]; the value is none if the expression depends on u or v.
-    pub fn constant(&mut self, expression: &Scalar) -> Expanded<Option<Real>> {
+    pub fn constant(&mut self, expression: &Scalar) -> Found<Option<Real>> {
         if let Some(number) = expression.as_number() {
             return Ok(Some(number.clone()));
         }
         Ok(self.expand(expression)?.as_constant())
     }
 
-    fn check_size(&self, expression: &Scalar) -> Expanded<()> {
+    fn check_size(&self, expression: &Scalar) -> Found<()> {
         let degree = predicted_degree(expression);
         let terms = (degree.u.saturating_add(1)).saturating_mul(degree.v.saturating_add(1));
         let high = degree.u.max(degree.v);
@@ -84,7 +87,7 @@ impl<'a> Expander<'a> {
             .label(format!("bidegree up to {degree}"))))
     }
 
-    fn fraction(&mut self, expression: &Scalar) -> Expanded<Fraction<Real>> {
+    fn fraction(&mut self, expression: &Scalar) -> Found<Fraction<Real>> {
         if let Form::Constant(value) = expression.form() {
             return Ok(Fraction::constant(value));
         }
@@ -96,7 +99,7 @@ impl<'a> Expander<'a> {
         Ok(fraction)
     }
 
-    fn fraction_of_form(&mut self, expression: &Scalar) -> Expanded<Fraction<Real>> {
+    fn fraction_of_form(&mut self, expression: &Scalar) -> Found<Fraction<Real>> {
         let zero_division = || division_by_zero(expression);
         match expression.form() {
             Form::Constant(value) => Ok(Fraction::constant(value)),
@@ -126,7 +129,7 @@ impl<'a> Expander<'a> {
         }
     }
 
-    fn sum(&mut self, terms: &[Scalar]) -> Expanded<Fraction<Real>> {
+    fn sum(&mut self, terms: &[Scalar]) -> Found<Fraction<Real>> {
         let mut sum = Fraction::constant(&Real::zero());
         for term in terms {
             sum = sum.plus(&self.fraction(term)?);
@@ -134,7 +137,7 @@ impl<'a> Expander<'a> {
         Ok(sum)
     }
 
-    fn product(&mut self, factors: &[Scalar]) -> Expanded<Fraction<Real>> {
+    fn product(&mut self, factors: &[Scalar]) -> Found<Fraction<Real>> {
         let mut product = Fraction::constant(&Real::one());
         for factor in factors {
             product = product.times(&self.fraction(factor)?);
@@ -147,7 +150,7 @@ impl<'a> Expander<'a> {
         expression: &Scalar,
         of: &CurveProperty,
         argument: &Scalar,
-    ) -> Expanded<Fraction<Real>> {
+    ) -> Found<Fraction<Real>> {
         let mut function = of
             .curve
             .property(of.property)

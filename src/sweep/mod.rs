@@ -12,7 +12,7 @@ mod surface;
 pub use bound::{DegreeBound, degree_bound};
 pub use claim::{Claim, Expectation, Quality, Quantity, Relation};
 pub use eval::evaluate_slowly;
-pub use expand::Expander;
+pub use expand::{Expanded, Expander};
 pub use expression::{CurveProperty, Form, Scalar, Vector};
 pub use normal::{NormalFault, normal_direction, unit_normal};
 pub use surface::{Domain, Expansion, HomogeneousSurface, SweptSurface};
