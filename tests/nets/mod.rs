@@ -24,7 +24,9 @@ pub fn poly(coefficients: &str) -> UniPoly<Real> {
 
 /// Σ f(u) g(v) of pairs of ascending coefficients.
 pub fn sum(terms: &[(&str, &str)]) -> BiPoly<Real> {
-    let terms = terms.iter().map(|(in_u, in_v)| BiPoly::product(&poly(in_u), &poly(in_v)));
+    let terms = terms
+        .iter()
+        .map(|(in_u, in_v)| BiPoly::product(&poly(in_u), &poly(in_v)));
     terms.fold(BiPoly::zero(), |all, own| &all + &own)
 }
 
@@ -88,6 +90,12 @@ pub fn of_degree(degree: usize) -> [BiPoly<Real>; 4] {
     ]
 }
 
+/// No surface: degree 0 along v.
+pub fn line() -> [BiPoly<Real>; 4] {
+    let along = sum(&[("0 1", "1")]);
+    [BiPoly::one(), along.clone(), along.clone(), along]
+}
+
 /// A quarter of a cone: the side v = 0 is its apex.
 pub fn cone() -> [BiPoly<Real>; 4] {
     [
@@ -118,8 +126,13 @@ pub fn tube(factor: &str) -> [BiPoly<Real>; 4] {
 /// A circle of four quarters, as x, y, w.
 const CIRCLE: &str = "1,0,1 1,1,1 0,1,2 -1,1,1 -1,0,1 -1,-1,1 0,-1,2 1,-1,1 1,0,1";
 /// A half-circle from pole to pole, as radius, height, weight.
-const MERIDIAN: &[(&str, &str, &str)] =
-    &[("0", "-1", "1"), ("1", "-1", "1"), ("1", "0", "2"), ("1", "1", "1"), ("0", "1", "1")];
+const MERIDIAN: &[(&str, &str, &str)] = &[
+    ("0", "-1", "1"),
+    ("1", "-1", "1"),
+    ("1", "0", "2"),
+    ("1", "1", "1"),
+    ("0", "1", "1"),
+];
 
 /// A net of several spans: a part of a circle along u, turned by a profile along v.
 pub fn revolved(circle: &str, profile: &[(&str, &str, &str)]) -> ControlNet {
@@ -128,7 +141,11 @@ pub fn revolved(circle: &str, profile: &[(&str, &str, &str)]) -> ControlNet {
         let [x, y, w] = [0, 1, 2].map(|axis| number(corner.split(',').nth(axis).unwrap()));
         for (radius, height, weight) in profile {
             weights.push(w.times(&number(weight)));
-            points.push([x.times(&number(radius)), y.times(&number(radius)), number(height)]);
+            points.push([
+                x.times(&number(radius)),
+                y.times(&number(radius)),
+                number(height),
+            ]);
         }
     }
     let knots = |count: usize| {
@@ -137,7 +154,13 @@ pub fn revolved(circle: &str, profile: &[(&str, &str, &str)]) -> ControlNet {
         let values = values.map(|own| i64::try_from(own.min(spans)).unwrap());
         Knots::new(2, values.map(Real::from).collect()).unwrap()
     };
-    ControlNet::new(knots(circle.split(' ').count()), knots(profile.len()), weights, points).unwrap()
+    ControlNet::new(
+        knots(circle.split(' ').count()),
+        knots(profile.len()),
+        weights,
+        points,
+    )
+    .unwrap()
 }
 
 /// Closed along u, two apices.
@@ -147,7 +170,10 @@ pub fn sphere() -> ControlNet {
 
 /// Closed along u, one apex.
 pub fn hemisphere() -> ControlNet {
-    revolved(CIRCLE, &[("1", "0", "1"), ("1", "1", "1/2"), ("0", "1", "1/2")])
+    revolved(
+        CIRCLE,
+        &[("1", "0", "1"), ("1", "1", "1/2"), ("0", "1", "1/2")],
+    )
 }
 
 /// Closed along u, in four spans.
@@ -157,9 +183,19 @@ pub fn cylinder() -> ControlNet {
 
 /// Closed in both directions.
 pub fn torus() -> ControlNet {
-    let profile: Vec<_> = CIRCLE.split(' ').map(|corner| corner.split(',').collect::<Vec<_>>()).collect();
-    let radii: Vec<_> = profile.iter().map(|own| number(own[0]).plus(&number("3")).to_string()).collect();
-    let profile: Vec<_> = profile.iter().zip(&radii).map(|(own, radius)| (radius.as_str(), own[1], own[2])).collect();
+    let profile: Vec<_> = CIRCLE
+        .split(' ')
+        .map(|corner| corner.split(',').collect::<Vec<_>>())
+        .collect();
+    let radii: Vec<_> = profile
+        .iter()
+        .map(|own| number(own[0]).plus(&number("3")).to_string())
+        .collect();
+    let profile: Vec<_> = profile
+        .iter()
+        .zip(&radii)
+        .map(|(own, radius)| (radius.as_str(), own[1], own[2]))
+        .collect();
     revolved(CIRCLE, &profile)
 }
 
@@ -186,4 +222,71 @@ pub fn corner_apex() -> [BiPoly<Real>; 4] {
         sum(&[("0 0 1", "0 1")]),
         sum(&[("0 1", "0 0 1")]),
     ]
+}
+
+/// A polynomial net of rows of points, written `x,y,z x,y,z …`.
+pub fn polynomial_net(rows: &[&str]) -> ControlNet {
+    let columns = rows[0].split(' ').count();
+    let points: Vec<_> = rows
+        .iter()
+        .flat_map(|row| row.split(' '))
+        .map(|point| {
+            let values: Vec<_> = point.split(',').map(number).collect();
+            <[Real; 3]>::try_from(values).unwrap()
+        })
+        .collect();
+    let knots = |count| Knots::bezier(count - 1, &number("0"), &number("1")).unwrap();
+    let weights = vec![Real::one(); points.len()];
+    ControlNet::new(knots(rows.len()), knots(columns), weights, points).unwrap()
+}
+
+/// Two adjacent sides are the same curve.
+pub fn folded() -> ControlNet {
+    polynomial_net(&[
+        "0,0,0 0,1,0 1,2,0",
+        "0,1,0 2,2,5 1,3,0",
+        "1,2,0 2,3,1 3,4,1",
+    ])
+}
+
+/// Two opposite sides are the same curve in opposite directions.
+pub fn moebius() -> ControlNet {
+    polynomial_net(&[
+        "1,0,-1/4 1,0,1/4",
+        "1,2,-1/2 1,2,1/2",
+        "-2,3,-1/3 -2,2,1/2",
+        "1,0,1/4 1,0,-1/4",
+    ])
+}
+
+/// Two opposite corners touch.
+pub fn touching_corners() -> ControlNet {
+    polynomial_net(&[
+        "0,0,0 2,-1,0 3,0,1",
+        "-1,2,0 1,1,3 2,3,5",
+        "0,3,1 2,2,4 0,0,0",
+    ])
+}
+
+/// Two opposite sides are the same point.
+pub fn petal() -> ControlNet {
+    polynomial_net(&[
+        "0,0,0 0,0,0 0,0,0",
+        "0,1,0 2,2,5 1,3,0",
+        "0,0,0 0,0,0 0,0,0",
+    ])
+}
+
+/// Closed but for a gap of 10⁻⁹, with another weight at its end.
+pub fn nearly_closed() -> ControlNet {
+    let circle = CIRCLE.rsplit_once(' ').unwrap().0;
+    revolved(
+        &format!("{circle} 1,1e-9,3"),
+        &[("1", "0", "1"), ("1", "1", "1"), ("1", "2", "1")],
+    )
+}
+
+/// One side is a closed curve, and the patch is not closed.
+pub fn teardrop() -> ControlNet {
+    polynomial_net(&["0,0,0 0,0,1", "3,-2,0 3,-2,1", "3,2,0 3,2,2", "0,0,0 1,1,3"])
 }

@@ -2,7 +2,7 @@ use crate::export::{Double, RoundedNet};
 use crate::net::{ControlNet, Knots};
 
 use super::entities::{Entities, Id, list, string};
-use super::side::Side;
+use super::side::{Side, near};
 
 /// What a shape representation holds.
 pub(super) struct Shape {
@@ -46,14 +46,24 @@ impl<'a> Face<'a> {
     /// Whether readers understand the boundary as it is meant.
     ///
     /// They make a patch periodic, and drop its last row, if opposite sides agree within their
-    /// tolerance, whatever the weights; and two adjacent apices leave them without a corner.
+    /// tolerance, whatever the weights; two adjacent apices leave them without a corner; other
+    /// sides that agree, and opposite corners that touch, leave them without an inside. Sides
+    /// that agree in every number are a seam, which they know, and so is a torus.
     pub(super) fn has_clear_boundary(&self) -> bool {
         let sides = self.sides();
         let [south, east, north, west] = &sides;
-        let clear = |one: &Side, other: &Side| one.meets(other) || !one.nearly_meets(other);
         let apex = sides.each_ref().map(Side::is_nearly_point);
-        let adjacent = (apex[0] || apex[2]) && (apex[1] || apex[3]);
-        clear(south, north) && clear(west, east) && !adjacent
+        let mut pairs = (0..4).flat_map(|one| (0..one).map(move |other| (one, other)));
+        let distinct = pairs.all(|(one, other)| {
+            let opposite = one - other == 2;
+            if apex[one] && apex[other] {
+                return opposite;
+            }
+            let (one, other) = (&sides[one], &sides[other]);
+            (opposite && one.meets(other)) || !one.nearly_meets(other)
+        });
+        let touching = near(south.start(), north.end()) || near(south.end(), north.start());
+        distinct && (!touching || (south.meets(north) && west.meets(east)))
     }
 
     /// Writes the face with its edges, in an open shell.
@@ -120,8 +130,8 @@ impl<'a> Face<'a> {
     /// The edge along a side, between the vertices at its ends.
     fn edge(&mut self, side: &Side) -> Id {
         let last = side.points.len() - 1;
-        let start = self.vertex(side.places[0], side.points[0]);
-        let end = self.vertex(side.places[last], side.points[last]);
+        let start = self.vertex(*side.start(), side.points[0]);
+        let end = self.vertex(*side.end(), side.points[last]);
         let curve = self.curve(side);
         self.add(format!("EDGE_CURVE('',{start},{end},{curve},.T.)"))
     }

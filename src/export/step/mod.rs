@@ -83,7 +83,7 @@ fn readable(net: &ControlNet) -> ControlNet {
 fn unbounded() -> ExportFault {
     ExportFault::new(
         Code::W1009,
-        "two sides nearly meet, or two adjacent sides are points: the surface is written without edges",
-        "some readers ignore such a surface; cut the domain in two and export both parts",
+        "sides or corners coincide or nearly do: the surface is written without edges",
+        "some readers ignore such a surface; cut the domain into parts that do not close up, and export each",
     )
 }

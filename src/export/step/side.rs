@@ -19,19 +19,29 @@ pub(super) struct Side {
 }
 
 impl Side {
+    /// Its first point.
+    pub(super) fn start(&self) -> &[Double; 3] {
+        &self.places[0]
+    }
+
+    /// Its last point.
+    pub(super) fn end(&self) -> &[Double; 3] {
+        &self.places[self.places.len() - 1]
+    }
+
     /// Whether it is a point: the patch has an apex there and no edge.
     pub(super) fn is_point(&self) -> bool {
-        self.places.iter().all(|own| *own == self.places[0])
+        self.places.iter().all(|own| own == self.start())
     }
 
     /// Whether readers may take it for a point.
     pub(super) fn is_nearly_point(&self) -> bool {
-        self.places.iter().all(|own| near(own, &self.places[0]))
+        self.places.iter().all(|own| near(own, self.start()))
     }
 
     /// Whether its end is its start.
     pub(super) fn is_closed(&self) -> bool {
-        self.places.first() == self.places.last()
+        self.start() == self.end()
     }
 
     /// Whether its weights say nothing.
@@ -44,15 +54,18 @@ impl Side {
         self.places == other.places && self.weights == other.weights
     }
 
-    /// Whether readers may take both for the same.
+    /// Whether readers may take both for the same curve, in this or the other direction.
     pub(super) fn nearly_meets(&self, other: &Self) -> bool {
-        let mut places = self.places.iter().zip(&other.places);
-        places.all(|(own, other)| near(own, other))
+        let near = |(own, other)| near(own, other);
+        self.places.len() == other.places.len()
+            && (self.places.iter().zip(&other.places).all(near)
+                || self.places.iter().rev().zip(&other.places).all(near))
     }
 }
 
-/// Whether no coordinate differs by more than 1/NEARNESS.
-fn near(one: &[Double; 3], other: &[Double; 3]) -> bool {
+/// Whether readers may take both points for the same: no coordinate differs by more
+/// than 1/NEARNESS.
+pub(super) fn near(one: &[Double; 3], other: &[Double; 3]) -> bool {
     one.iter().zip(other).all(|(own, other)| {
         let apart = own.exact().minus(&other.exact());
         let apart = if apart.sign().is_lt() {

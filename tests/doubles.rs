@@ -1,0 +1,146 @@
+//! The nearest double, found by comparing the exact distances of its neighbours.
+
+#![allow(clippy::unwrap_used, missing_docs, reason = "tests state facts")]
+
+use proptest::prelude::*;
+use sweepc::export::Double;
+use sweepc::number::{Field, Integer, Real};
+
+/// The number that a double is, from its decimal digits: 767 of them are always enough.
+fn decimal(value: f64) -> Real {
+    format!("{value:.1074}").parse().unwrap()
+}
+
+fn distance(one: &Real, other: &Real) -> Real {
+    let apart = one.minus(other);
+    if apart.sign().is_lt() {
+        apart.negated()
+    } else {
+        apart
+    }
+}
+
+/// The next double towards ±∞, counting 2¹⁰²⁴ as one.
+fn neighbours(value: f64) -> [Real; 2] {
+    [value.next_down(), value.next_up()].map(|own| {
+        if own.is_infinite() {
+            let end = power_of_two(1_024);
+            if own > 0.0 { end } else { end.negated() }
+        } else {
+            decimal(own)
+        }
+    })
+}
+
+fn power_of_two(exponent: i64) -> Real {
+    Real::from(2).power(exponent).unwrap()
+}
+
+/// Whether the double is the nearest, with an even last bit where a neighbour is as near.
+fn is_nearest(exact: &Real, double: Double) -> bool {
+    let value = double.value();
+    let own = distance(exact, &decimal(value));
+    let even = value.to_bits() & 1 == 0;
+    neighbours(value).iter().all(|neighbour| {
+        let other = distance(exact, neighbour);
+        own < other || (own == other && even)
+    })
+}
+
+/// A double of any exponent, the smallest and the largest more often than the others.
+fn doubles() -> impl Strategy<Value = f64> {
+    let exponent = prop_oneof![0_u64..2_047, 0_u64..3, 2_044_u64..2_047];
+    let fraction = prop_oneof![0_u64..1 << 52, 0_u64..3, (1_u64 << 52) - 3..1 << 52];
+    (any::<bool>(), exponent, fraction).prop_map(|(sign, exponent, fraction)| {
+        f64::from_bits(u64::from(sign) << 63 | exponent << 52 | fraction)
+    })
+}
+
+proptest! {
+    #[test]
+    fn doubles_are_their_own_nearest(value in doubles()) {
+        let double = Double::nearest(&decimal(value)).unwrap();
+        prop_assert_eq!(double.exact(), decimal(value));
+        prop_assert!(double.value() == value && !(double.is_zero() && double.value().is_sign_negative()));
+        prop_assert_eq!(double.is_tiny(), value.abs() < f64::MIN_POSITIVE);
+    }
+
+    #[test]
+    fn ties_go_to_even_and_a_hair_decides(value in doubles(), hair in 1_i64..400) {
+        let tie = decimal(value).plus(&neighbours(value)[1]).times(&power_of_two(-1));
+        let hair = power_of_two(-1_080 - hair);
+        for exact in [tie.clone(), tie.plus(&hair), tie.minus(&hair)] {
+            match Double::nearest(&exact) {
+                Some(double) => prop_assert!(is_nearest(&exact, double)),
+                None => prop_assert!(exact >= edge()),
+            }
+        }
+    }
+
+    #[test]
+    fn quotients_round_to_nearest(
+        numerator in any::<i128>(),
+        denominator in 1_i128..,
+        exponent in -1_300_i64..1_100,
+    ) {
+        let exact = Real::new(Integer::from(numerator), Integer::from(denominator));
+        let exact = exact.times(&power_of_two(exponent));
+        match Double::nearest(&exact) {
+            Some(double) => prop_assert!(is_nearest(&exact, double)),
+            None => prop_assert!(distance(&exact, &Real::from(0)) >= edge()),
+        }
+    }
+
+    #[test]
+    fn texts_read_back(value in doubles()) {
+        let double = Double::nearest(&decimal(value)).unwrap();
+        prop_assert_eq!(double.json().parse::<f64>().unwrap(), value);
+        let step = double.step();
+        prop_assert!(step.contains('.') && !step.contains('e') && !step.starts_with("-0.E"));
+        prop_assert_eq!(step.replace(".E", ".0E").parse::<f64>().unwrap(), value);
+    }
+}
+
+/// 2¹⁰²⁴ − 2⁹⁷⁰: halfway between the last double and the next.
+fn edge() -> Real {
+    power_of_two(1_024).minus(&power_of_two(970))
+}
+
+#[test]
+fn the_ends_of_the_range_are_sharp() {
+    let below = edge().minus(&power_of_two(-2_000));
+    assert_eq!(Double::nearest(&edge()), None);
+    assert_eq!(Double::nearest(&edge().negated()), None);
+    assert_eq!(Double::nearest(&below).unwrap().value(), f64::MAX);
+    assert_eq!(Double::nearest(&below.negated()).unwrap().value(), f64::MIN);
+    assert_eq!(Double::nearest(&power_of_two(1_000_000)), None);
+    let half = power_of_two(-1_075);
+    for small in [half.clone(), half.negated(), power_of_two(-1_000_000)] {
+        let zero = Double::nearest(&small).unwrap();
+        assert_eq!(zero.value().to_bits(), 0);
+        assert!(zero.is_tiny());
+    }
+    let above = half.plus(&power_of_two(-2_000));
+    assert_eq!(Double::nearest(&above).unwrap().value().to_bits(), 1);
+}
+
+#[test]
+fn texts_are_shortest() {
+    for (exact, json, step) in [
+        ("0", "0.0", "0."),
+        ("1", "1.0", "1."),
+        ("-1/10", "-0.1", "-0.1"),
+        ("1/3", "0.3333333333333333", "0.3333333333333333"),
+        ("1.5e-7", "1.5e-7", "1.5E-7"),
+        ("1e-7", "1e-7", "1.E-7"),
+        ("1e23", "1e23", "1.E23"),
+        ("-123456789", "-123456789.0", "-123456789."),
+        ("5e-324", "5e-324", "5.E-324"),
+    ] {
+        let double = Double::nearest(&exact.parse().unwrap()).unwrap();
+        assert_eq!(
+            (double.json().as_str(), double.step().as_str()),
+            (json, step)
+        );
+    }
+}

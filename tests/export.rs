@@ -1,0 +1,484 @@
+//! Files read back by other means: the written numbers are those of the net.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    missing_docs,
+    reason = "tests state facts"
+)]
+
+mod nets;
+
+use std::collections::HashMap;
+
+use nets::{number, patch};
+use ruststep::ast::{EntityInstance, Name, Parameter, Record};
+use serde_json::Value;
+use sweepc::diag::Code;
+use sweepc::export::{ALL, Context, ExportFault, Exported, Fidelity, RoundedNet, Unit};
+use sweepc::net::{ControlNet, Knots};
+use sweepc::number::{Field, Real};
+
+fn export(format: &str, net: &ControlNet, context: &Context) -> Result<Exported, ExportFault> {
+    let exporter = ALL.iter().find(|own| own.name == format).unwrap();
+    (exporter.write)(net, context)
+}
+
+fn text(format: &str, net: &ControlNet) -> String {
+    let exported = export(format, net, &Context::new("file", "R")).unwrap();
+    String::from_utf8(exported.bytes).unwrap()
+}
+
+/// Nets that every format carries, and whether STEP gives them edges.
+fn carried() -> Vec<(&'static str, ControlNet, bool)> {
+    vec![
+        ("quarter cylinder", patch(&nets::quarter_cylinder()), true),
+        ("circle over cubic", patch(&nets::circle_over_cubic()), true),
+        ("polynomial", patch(&nets::polynomial()), true),
+        ("degree 25", patch(&nets::of_degree(25)), true),
+        ("cone", patch(&nets::cone()), true),
+        ("tube, equal ends", patch(&nets::tube("1 1 -1")), true),
+        ("tube, unequal ends", patch(&nets::tube("1 1")), false),
+        ("sphere", nets::sphere(), true),
+        ("hemisphere", nets::hemisphere(), true),
+        ("cylinder", nets::cylinder(), true),
+        ("torus", nets::torus(), true),
+        ("lune", nets::lune(), true),
+        ("teardrop", nets::teardrop(), true),
+        ("folded", nets::folded(), false),
+        ("moebius", nets::moebius(), false),
+        ("touching corners", nets::touching_corners(), false),
+        ("petal", nets::petal(), false),
+        ("nearly closed", nets::nearly_closed(), false),
+        ("bag", patch(&nets::bag()), false),
+        ("apex at a corner", patch(&nets::corner_apex()), false),
+        (
+            "thirds",
+            nets::on(&nets::circle_over_cubic(), ("1/7", "3/7"), ("-1/3", "1")),
+            true,
+        ),
+    ]
+}
+
+#[test]
+fn the_net_is_the_surface() {
+    let domain = (("-1/3", "5/7"), ("1/2", "2"));
+    for coordinates in [
+        nets::quarter_cylinder(),
+        nets::circle_over_cubic(),
+        nets::polynomial(),
+        nets::negative_weight(),
+        nets::of_degree(26),
+        nets::cone(),
+        nets::tube("1 1"),
+    ] {
+        let net = nets::on(&coordinates, domain.0, domain.1);
+        for (u, v) in [("-1/3", "1/2"), ("5/7", "2"), ("0", "1"), ("1/9", "7/5")] {
+            let (u, v) = (number(u), number(v));
+            let [w, rest @ ..] = coordinates.each_ref().map(|own| own.evaluate(&u, &v));
+            let expected = rest.map(|own| own.times(&w.inverse().unwrap()));
+            assert_eq!(net.de_casteljau(&u, &v), Some(expected));
+        }
+        assert_eq!(net.weight(0, 0), &Real::one());
+        assert_eq!(net.de_casteljau(&number("1"), &number("1")), None);
+    }
+}
+
+#[test]
+fn several_spans_keep_to_their_circle() {
+    let net = nets::cylinder();
+    for at in ["0", "1/3", "1", "5/2", "4"] {
+        let [x, y, _] = net.de_casteljau(&number(at), &number("1/2")).unwrap();
+        assert_eq!(x.times(&x).plus(&y.times(&y)), Real::one(), "at {at}");
+    }
+}
+
+#[test]
+fn impossible_nets_are_refused() {
+    let pole = nets::sum(&[("0 1", "1")]);
+    let one = nets::sum(&[("1", "1")]);
+    let (from, to) = (number("0"), number("1"));
+    let domain = (&from, &to);
+    assert_eq!(
+        ControlNet::bezier([&pole, &one, &one, &one], domain, domain),
+        None
+    );
+    assert_eq!(ControlNet::bezier([&one; 4], (&to, &from), domain), None);
+    assert_eq!(Knots::new(1, ["0", "1", "1"].map(number).to_vec()), None);
+    assert_eq!(
+        Knots::new(1, ["0", "0", "2", "1", "1"].map(number).to_vec()),
+        None
+    );
+}
+
+#[test]
+fn a_point_at_infinity_holds_its_direction() {
+    let net = patch(&[
+        nets::sum(&[("1 -2 1", "1")]),
+        nets::sum(&[("0 2 -2", "1")]),
+        nets::sum(&[("1", "0 1")]),
+        nets::sum(&[("0 0 3", "1")]),
+    ]);
+    assert!(net.weight(2, 1).is_zero() && !net.all_positive());
+    assert_eq!(net.point(2, 1), &["0", "1", "3"].map(number));
+    assert_eq!(net.point(1, 0), &["1", "0", "0"].map(number));
+    assert_eq!(
+        export("step", &net, &Context::new("f", "R"))
+            .unwrap_err()
+            .code,
+        Code::E0304
+    );
+}
+
+fn exact(value: &Value) -> Real {
+    number(value.as_str().unwrap())
+}
+
+fn array(value: &Value) -> &Vec<Value> {
+    value.as_array().unwrap()
+}
+
+fn read_json(text: &str) -> ControlNet {
+    let file: Value = serde_json::from_str(text).unwrap();
+    assert_eq!(file["format"], "sweepc-net/1");
+    let knots = |index: usize, along: &str| {
+        let degree = usize::try_from(file["degree"][index].as_u64().unwrap()).unwrap();
+        Knots::new(
+            degree,
+            array(&file["knots"][along]).iter().map(exact).collect(),
+        )
+        .unwrap()
+    };
+    let weights = array(&file["weights"]).iter().flat_map(array).map(exact);
+    let points = array(&file["points"]).iter().flat_map(array);
+    let points = points.map(|own| [exact(&own[0]), exact(&own[1]), exact(&own[2])]);
+    ControlNet::new(
+        knots(0, "u"),
+        knots(1, "v"),
+        weights.collect(),
+        points.collect(),
+    )
+    .unwrap()
+}
+
+#[test]
+fn json_read_again_is_the_exact_net() {
+    for coordinates in [nets::negative_weight(), nets::of_degree(26)] {
+        let net = patch(&coordinates);
+        assert_eq!(read_json(&text("json", &net)), net);
+    }
+    for (name, net, _) in carried() {
+        let exported = export("json", &net, &Context::new("file", "R")).unwrap();
+        assert_eq!(exported.fidelity, Fidelity::Exact);
+        assert_eq!(
+            read_json(&String::from_utf8(exported.bytes).unwrap()),
+            net,
+            "{name}"
+        );
+    }
+}
+
+#[test]
+fn json_layout_is_one_row_a_line() {
+    let context = Context::new("file", "σ \"R\"");
+    let exported = export("json", &patch(&nets::quarter_cylinder()), &context).unwrap();
+    let expected = r#"{
+  "format": "sweepc-net/1",
+  "name": "σ \"R\"",
+  "field": [],
+  "degree": [2,1],
+  "knots": {
+    "u": ["0", "0", "0", "1", "1", "1"],
+    "v": ["0", "0", "1", "1"]
+  },
+  "weights": [
+    ["1", "1"],
+    ["1", "1"],
+    ["2", "2"]
+  ],
+  "points": [
+    [["1", "0", "0"], ["1", "0", "1"]],
+    [["1", "1", "0"], ["1", "1", "1"]],
+    [["0", "1", "0"], ["0", "1", "1"]]
+  ],
+  "float": {
+    "knots": {
+      "u": [0.0, 0.0, 0.0, 1.0, 1.0, 1.0],
+      "v": [0.0, 0.0, 1.0, 1.0]
+    },
+    "weights": [
+      [1.0, 1.0],
+      [1.0, 1.0],
+      [2.0, 2.0]
+    ],
+    "points": [
+      [[1.0, 0.0, 0.0], [1.0, 0.0, 1.0]],
+      [[1.0, 1.0, 0.0], [1.0, 1.0, 1.0]],
+      [[0.0, 1.0, 0.0], [0.0, 1.0, 1.0]]
+    ]
+  }
+}
+"#;
+    assert_eq!(String::from_utf8(exported.bytes).unwrap(), expected);
+}
+
+/// The bits of all numbers in nested lists, in order.
+fn bits(value: &Value) -> Vec<u64> {
+    match value {
+        Value::Array(items) => items.iter().flat_map(bits).collect(),
+        other => vec![other.as_f64().unwrap().to_bits()],
+    }
+}
+
+/// The entities of an exchange file as another parser reads them: records by name and number.
+struct Exchange {
+    records: HashMap<u64, Vec<Record>>,
+}
+
+impl Exchange {
+    fn read(text: &str) -> Self {
+        let exchange = ruststep::parser::parse(text).unwrap();
+        assert_eq!(exchange.header.len(), 3);
+        let entities = exchange.data[0].entities.iter().map(|own| match own {
+            EntityInstance::Simple { id, record } => (*id, vec![record.clone()]),
+            EntityInstance::Complex { id, subsuper } => {
+                let names: Vec<_> = subsuper.0.iter().map(|own| &own.name).collect();
+                assert!(names.is_sorted(), "{names:?}");
+                (*id, subsuper.0.clone())
+            }
+        });
+        Self {
+            records: entities.collect(),
+        }
+    }
+
+    fn all(&self, name: &str) -> Vec<&Record> {
+        let records = self.records.values().flatten();
+        records.filter(|own| own.name == name).collect()
+    }
+
+    /// The bits of all reals in a parameter; references to points are followed.
+    fn bits(&self, parameter: &Parameter) -> Vec<u64> {
+        match parameter {
+            Parameter::Real(value) => vec![value.to_bits()],
+            Parameter::List(items) => items.iter().flat_map(|own| self.bits(own)).collect(),
+            Parameter::Ref(Name::Entity(id)) => self.bits(&self.records[id][0].parameter),
+            _ => Vec::new(),
+        }
+    }
+}
+
+fn attributes(record: &Record) -> &[Parameter] {
+    match &record.parameter {
+        Parameter::List(items) => items,
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn step_and_json_have_the_same_doubles() {
+    for (name, net, _) in carried() {
+        let step = Exchange::read(&text("step", &net));
+        let json: Value = serde_json::from_str(&text("json", &net)).unwrap();
+        let spline = step.all("B_SPLINE_SURFACE");
+        let (points, weights) = match spline.first() {
+            Some(spline) => {
+                let weights = step.all("RATIONAL_B_SPLINE_SURFACE")[0];
+                (&attributes(spline)[2], step.bits(&weights.parameter))
+            }
+            None => {
+                let spline = step.all("B_SPLINE_SURFACE_WITH_KNOTS")[0];
+                (
+                    &attributes(spline)[3],
+                    vec![1_f64.to_bits(); net.weights().len()],
+                )
+            }
+        };
+        assert_eq!(step.bits(points), bits(&json["float"]["points"]), "{name}");
+        assert_eq!(weights, bits(&json["float"]["weights"]), "{name}");
+        let rounded = RoundedNet::new(&net).unwrap();
+        let own = rounded.points.iter().flatten().flatten();
+        let own: Vec<_> = own.map(|own| own.value().to_bits()).collect();
+        assert_eq!(own, step.bits(points), "{name}");
+    }
+}
+
+#[test]
+fn step_faces_have_the_edges_that_readers_expect() {
+    let expected = HashMap::from([
+        ("cone", (3, 3, 3)),
+        ("circle over cubic", (3, 3, 3)),
+        ("tube, equal ends", (3, 4, 2)),
+        ("cylinder", (3, 4, 2)),
+        ("hemisphere", (2, 3, 2)),
+        ("sphere", (1, 2, 2)),
+        ("torus", (2, 4, 1)),
+        ("lune", (2, 2, 2)),
+        ("teardrop", (4, 4, 3)),
+    ]);
+    for (name, net, bounded) in carried() {
+        let exported = export("step", &net, &Context::new("file", "R")).unwrap();
+        let step = Exchange::read(std::str::from_utf8(&exported.bytes).unwrap());
+        let count = |name: &str| step.all(name).len();
+        let seen = (
+            count("EDGE_CURVE"),
+            count("ORIENTED_EDGE"),
+            count("VERTEX_POINT"),
+        );
+        let usual = if bounded { (4, 4, 4) } else { (0, 0, 0) };
+        assert_eq!(seen, *expected.get(name).unwrap_or(&usual), "{name}");
+        assert_eq!(count("ADVANCED_FACE"), usize::from(bounded), "{name}");
+        assert_eq!(count("GEOMETRIC_SET"), usize::from(!bounded), "{name}");
+        let codes: Vec<_> = exported.warnings.iter().map(|own| own.code).collect();
+        assert_eq!(codes.contains(&Code::W1009), !bounded, "{name}");
+        assert_eq!(count("SHAPE_DEFINITION_REPRESENTATION"), 1);
+    }
+}
+
+#[test]
+fn step_reals_have_a_point_and_no_lower_case() {
+    let net = nets::on(&nets::polynomial(), ("0", "1/1000000"), ("-1", "0"));
+    let step = text("step", &net);
+    assert!(step.contains("E-"), "{step}");
+    for item in step.split(['(', ')', ',']) {
+        if item.starts_with(|first: char| first == '-' || first.is_ascii_digit()) {
+            assert_ne!(item, "-0.");
+            let real = item.contains('.') && !item.contains('e');
+            assert!(
+                real || item.parse::<u32>().is_ok() || item.contains(' '),
+                "{item}"
+            );
+        }
+    }
+}
+
+#[test]
+fn names_and_units_arrive() {
+    let net = patch(&nets::quarter_cylinder());
+    let mut context = Context::new("file", "Rσ");
+    for (unit, mark) in [
+        (Unit::Millimetre, "SI_UNIT(.MILLI.,.METRE.)"),
+        (Unit::Centimetre, "SI_UNIT(.CENTI.,.METRE.)"),
+        (Unit::Metre, "SI_UNIT($,.METRE.)"),
+        (Unit::Inch, "CONVERSION_BASED_UNIT('INCH',"),
+    ] {
+        context.unit = unit;
+        let step = export("step", &net, &context).unwrap();
+        let step = String::from_utf8(step.bytes).unwrap();
+        Exchange::read(&step);
+        assert!(step.contains(mark), "{step}");
+        assert!(step.contains("FILE_NAME('file-R\\X2\\03C3\\X0\\.step','1970-01-01T00:00:00'"));
+        assert!(step.contains("PRODUCT('R\\X2\\03C3\\X0\\',"));
+    }
+}
+
+/// A plane square whose last weight or point is changed.
+fn square(weight: &str, point: [&str; 3]) -> ControlNet {
+    let knots = Knots::bezier(1, &number("0"), &number("1")).unwrap();
+    let weights = ["1", "1", "1", weight].map(number).to_vec();
+    let points = [["0", "0", "0"], ["0", "1", "0"], ["1", "0", "0"], point];
+    let points = points.map(|own| own.map(number)).to_vec();
+    ControlNet::new(knots.clone(), knots, weights, points).unwrap()
+}
+
+#[test]
+fn what_readers_drop_is_refused_or_named() {
+    let step = |net: &ControlNet| -> Result<Vec<Code>, ExportFault> {
+        let exported = export("step", net, &Context::new("file", "R"))?;
+        let codes: Vec<_> = exported.warnings.iter().map(|own| own.code).collect();
+        Ok(codes)
+    };
+    let refused = |net: &ControlNet| step(net).unwrap_err().code;
+    let flat = ["1", "1", "0"];
+
+    assert_eq!(refused(&patch(&nets::negative_weight())), Code::E0304);
+    assert_eq!(refused(&square("0", flat)), Code::E0304);
+    assert_eq!(refused(&patch(&nets::of_degree(26))), Code::E0305);
+    assert_eq!(refused(&patch(&nets::line())), Code::E0305);
+    assert_eq!(refused(&square("1", ["1", "1e309", "0"])), Code::E0306);
+    let message = step(&square("1", ["1", "-1e400", "0"]))
+        .unwrap_err()
+        .message;
+    assert_eq!(
+        message,
+        "y of control point (1, 1) is about 1e400, beyond the last double"
+    );
+    assert_eq!(step(&square("1000", flat)), Ok(vec![]));
+    assert_eq!(step(&square("1000.1", flat)), Ok(vec![Code::W1006]));
+    assert_eq!(step(&square("1e-6", flat)), Ok(vec![Code::W1006]));
+    assert_eq!(refused(&square("999999/1000000000000", flat)), Code::E0304);
+    let allowed = Context {
+        any_weight_ratio: true,
+        ..Context::new("file", "R")
+    };
+    assert!(export("step", &square("1e-7", flat), &allowed).is_ok());
+    assert_eq!(refused(&square("1e-400", flat)), Code::E0304);
+    assert_eq!(
+        export("step", &square("1e-400", flat), &allowed)
+            .unwrap_err()
+            .code,
+        Code::E0306
+    );
+    assert_eq!(
+        step(&square("1", ["1", "1", "1e-310"])),
+        Ok(vec![Code::W1005])
+    );
+    assert_eq!(
+        step(&square("1", ["1.00000000000000000001", "0", "0"])),
+        Ok(vec![Code::W1008])
+    );
+}
+
+#[test]
+fn rounding_is_measured() {
+    let fidelity = |net: &ControlNet| {
+        export("step", net, &Context::new("f", "R"))
+            .unwrap()
+            .fidelity
+    };
+    assert_eq!(fidelity(&square("1/2", ["1", "1", "1/4"])), Fidelity::Exact);
+    let net = square("1/3", ["1", "1", "1/10"]);
+    let Fidelity::Rounded {
+        max_error: Some(bound),
+    } = fidelity(&net)
+    else {
+        panic!("a third is not a double");
+    };
+    assert!(
+        bound > number("1e-18") && bound < number("1e-16"),
+        "{bound}"
+    );
+    // The surface of the doubles stays within the bound.
+    let rounded = RoundedNet::new(&net).unwrap();
+    let weights = rounded.weights.iter().flatten().map(|own| own.exact());
+    let points = rounded
+        .points
+        .iter()
+        .flatten()
+        .map(|own| own.map(|own| own.exact()));
+    let (knots_u, knots_v) = (net.knots_u().clone(), net.knots_v().clone());
+    let doubles = ControlNet::new(knots_u, knots_v, weights.collect(), points.collect()).unwrap();
+    for (u, v) in [("1", "1"), ("1/2", "1/2"), ("9/10", "4/5")] {
+        let (u, v) = (number(u), number(v));
+        let exact = net.de_casteljau(&u, &v).unwrap();
+        for (own, other) in exact.iter().zip(doubles.de_casteljau(&u, &v).unwrap()) {
+            let apart = own.minus(&other);
+            assert!(apart <= bound && apart.negated() <= bound);
+        }
+    }
+}
+
+#[test]
+fn short_and_distant_domains_are_counted_from_zero() {
+    let net = patch(&nets::circle_over_cubic());
+    for (from, to) in [
+        ("0", "1e-9"),
+        ("0", "1e9"),
+        ("1e9", "1000000001"),
+        ("-1e20", "-99999999999999999999"),
+    ] {
+        let knots = Knots::bezier(2, &number(from), &number(to)).unwrap();
+        let moved = net.with_knots(knots, net.knots_v().clone()).unwrap();
+        assert_eq!(text("step", &moved), text("step", &net));
+    }
+}
