@@ -1,2 +1,5 @@
-//! The binary.
-fn main() {}
+//! The `sweepc` command.
+
+fn main() -> std::process::ExitCode {
+    sweepc::cli::run()
+}

@@ -107,6 +107,8 @@ codes! {
     W1005 "a number that becomes zero or subnormal as a double",
     W1006 "a large ratio of weights",
     W1007 "nothing to build",
+    W1008 "control points that become equal as doubles",
+    W1009 "a surface written without its edges",
 }
 
 impl Code {

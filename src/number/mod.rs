@@ -9,12 +9,14 @@ mod integer;
 mod modulus;
 mod rational;
 mod residue;
+mod unit;
 
 pub use field::{Field, Ring};
 pub use integer::{Integer, gcd, lcm};
 pub use modulus::Modulus;
 pub use rational::Rational;
 pub use residue::Residue;
+pub use unit::Unit;
 
 /// The exact real numbers that curves and surfaces are made of.
 pub type Real = Rational;

@@ -39,6 +39,12 @@ impl Rational {
             .then(|| i64::try_from(self.numerator()).ok())?
     }
 
+    /// Whether the denominator is 1.
+    #[must_use]
+    pub fn is_integer(&self) -> bool {
+        self.0.is_integer()
+    }
+
     /// a^n; none for 0 to a negative power
     #[must_use]
     pub fn power(&self, exponent: i64) -> Option<Self> {
@@ -69,6 +75,19 @@ impl Rational {
         } else {
             Self::new(digits * power, One::one())
         })
+    }
+
+    /// The number to so many digits behind the point, the last one rounded half away from zero,
+    /// for reading only.
+    #[must_use]
+    pub fn decimal(&self, digits: u32) -> String {
+        let scale = Pow::pow(Integer::from(10), digits);
+        let scaled = Self(&self.0 * BigRational::from_integer(scale)).0.round().to_integer();
+        let width = digits as usize + 1;
+        let text = format!("{:0>width$}", scaled.abs().to_string());
+        let (whole, fraction) = text.split_at(text.len() - digits as usize);
+        let sign = if scaled.is_negative() { "-" } else { "" };
+        format!("{sign}{whole}.{fraction}")
     }
 
     /// The size of the larger of numerator and denominator.

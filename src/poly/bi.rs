@@ -1,3 +1,4 @@
+use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
 
 use crate::number::Field;
@@ -305,6 +306,25 @@ impl<F: Field> BiPoly<F> {
             polynomial.add_term(&in_u, &in_v);
         }
         polynomial
+    }
+}
+
+/// By descending powers of u: `(v^2 + 1) u^2 + v`.
+impl<F: Field> fmt::Display for BiPoly<F> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let rows = self.rows();
+        let mut parts = Vec::new();
+        for (power, row) in rows.iter().enumerate().rev().filter(|(_, row)| !row.is_zero()) {
+            let monomial = UniPoly::<F>::one().shift(power).display("u");
+            parts.push(match row.display("v").as_str() {
+                text if power == 0 => text.to_owned(),
+                "1" => monomial,
+                text if row.is_constant() && !text.contains(' ') => format!("{text} {monomial}"),
+                text => format!("({text}) {monomial}"),
+            });
+        }
+        let text = parts.join(" + ").replace("+ -", "- ");
+        formatter.write_str(if parts.is_empty() { "0" } else { &text })
     }
 }
 

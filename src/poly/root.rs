@@ -315,6 +315,17 @@ fn separate<F: Field>(roots: &mut [RealRoot<F>]) {
     }
 }
 
+/// The number if it is exact, else its isolating interval: `1/3`, `a root in [5/8, 3/4]`.
+impl<F: Field> std::fmt::Display for RealRoot<F> {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        if self.is_exact() {
+            write!(formatter, "{}", self.lower)
+        } else {
+            write!(formatter, "a root in [{}, {}]", self.lower, self.upper)
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

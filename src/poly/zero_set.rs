@@ -1,5 +1,6 @@
 use std::cmp::Ordering;
 use std::collections::VecDeque;
+use std::fmt;
 
 use super::root::middle;
 use super::tensor::Tensor;
@@ -41,6 +42,25 @@ impl<F: Field> ZeroSet<F> {
             ZeroKind::LineV => ZeroKind::LineU,
             kind => kind,
         };
+    }
+}
+
+/// `u = 1/2`, `v in [1/4, 3/8]`, `u = 1/2, v in [1/4, 3/8]`.
+impl<F: Field> fmt::Display for ZeroSet<F> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let range = |name: &str, (lower, upper): &(F, F)| {
+            if lower == upper {
+                format!("{name} = {lower}")
+            } else {
+                format!("{name} in [{lower}, {upper}]")
+            }
+        };
+        let (u, v) = (range("u", &self.u), range("v", &self.v));
+        match self.kind {
+            ZeroKind::LineU => formatter.write_str(&u),
+            ZeroKind::LineV => formatter.write_str(&v),
+            ZeroKind::Point | ZeroKind::Box => write!(formatter, "{u}, {v}"),
+        }
     }
 }
 

@@ -1,1 +1,11 @@
-//! report
+//! The degree report: what the paper should have said.
+
+mod json;
+mod markdown;
+mod report;
+mod text;
+
+pub use json::render_json;
+pub use markdown::render_markdown;
+pub use report::{Report, SurfaceReport};
+pub use text::render_text;

@@ -1,1 +1,22 @@
-//! sema
+//! Names and types: the bridge from the tree of a file to curves and surface expressions.
+//!
+//! [`lower`] resolves names, decides which `NAME (…)` are applications, checks types, builds the
+//! curves and unfolds functions and constructions. It reports every finding it can and keeps what
+//! is sound.
+
+mod apply;
+mod call;
+mod constructor;
+mod curve;
+mod definition;
+mod expectation;
+mod expression;
+mod lowerer;
+mod product;
+mod program;
+mod property;
+mod scope;
+mod value;
+
+pub use lowerer::{Sources, lower};
+pub use program::Program;

@@ -13,6 +13,9 @@ pub struct Document {
     pub items: Vec<Item>,
     /// Its comments, from `#` to the end of the line, in the order of the text.
     pub comments: Vec<Span>,
+    /// The names of the declarations that could not be parsed, so that a use of one need not be
+    /// reported as unknown.
+    pub broken: Vec<Name>,
 }
 
 /// A declaration and the text it spans.
@@ -67,6 +70,10 @@ pub enum Role {
 }
 
 /// One declaration.
+#[allow(
+    clippy::large_enum_variant,
+    reason = "a file has few declarations, and the tree reads better without boxes"
+)]
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Declaration {
     /// `param NAME = CONST`

@@ -1,0 +1,127 @@
+use crate::diag::{Code, Diagnostic, Limits};
+use crate::number::Real;
+use crate::poly::{BiPoly, ZeroSet};
+use crate::sweep::{Domain, Expansion, HomogeneousSurface, SweptSurface, normal_direction};
+
+use super::affine::affine_degrees;
+use super::offset::rational_offset;
+use super::pole::poles;
+use super::regular::regular;
+use super::weights::weight_range;
+use super::{AffineDegree, Verdict, WeightRange};
+
+/// A surface whose degrees, common factor, poles and weights are known.
+#[derive(Debug, Clone)]
+pub struct Checked {
+    definition: SweptSurface,
+    expansion: Expansion,
+    affine: [AffineDegree; 3],
+    weights: Option<WeightRange>,
+    poles: Vec<ZeroSet<Real>>,
+    regular: Verdict,
+    rational_offset: Verdict,
+}
+
+impl Checked {
+    /// Expands a surface and decides what there is to decide.
+    ///
+    /// # Errors
+    ///
+    /// What [`Expansion::of`] finds, and E0302 if the formula is a curve or a point.
+    pub fn of(definition: SweptSurface, limits: &Limits) -> Result<Self, Box<Diagnostic>> {
+        let expansion = Expansion::of(&definition, limits)?;
+        let surface = &expansion.surface;
+        let domain = &definition.domain;
+        let direction = normal_direction(surface);
+        if direction.iter().all(BiPoly::is_zero) {
+            let message = format!("`{}` is a curve or a point, not a surface", definition.name);
+            let finding = Diagnostic::new(Code::E0302, definition.span, message);
+            return Err(Box::new(finding.note("R_u × R_v is zero identically")));
+        }
+        let poles = poles(surface, domain);
+        let weights = weight_range(surface.weight(), surface.bidegree(), domain);
+        Ok(Self {
+            affine: affine_degrees(surface),
+            regular: regular(&direction, domain),
+            rational_offset: rational_offset(&direction),
+            weights,
+            poles,
+            expansion,
+            definition,
+        })
+    }
+
+    /// Its name.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.definition.name
+    }
+
+    /// Its formula.
+    #[must_use]
+    pub fn definition(&self) -> &SweptSurface {
+        &self.definition
+    }
+
+    /// Its domain.
+    #[must_use]
+    pub fn domain(&self) -> &Domain {
+        &self.definition.domain
+    }
+
+    /// W, X, Y, Z, coprime and in normal form.
+    #[must_use]
+    pub fn surface(&self) -> &HomogeneousSurface {
+        &self.expansion.surface
+    }
+
+    /// The story of its degrees.
+    #[must_use]
+    pub fn expansion(&self) -> &Expansion {
+        &self.expansion
+    }
+
+    /// The degrees of x, y, z in lowest terms.
+    #[must_use]
+    pub fn affine(&self) -> &[AffineDegree; 3] {
+        &self.affine
+    }
+
+    /// The range of the weights; none if W vanishes at the first corner.
+    #[must_use]
+    pub fn weights(&self) -> Option<&WeightRange> {
+        self.weights.as_ref()
+    }
+
+    /// Where W vanishes on the domain.
+    #[must_use]
+    pub fn poles(&self) -> &[ZeroSet<Real>] {
+        &self.poles
+    }
+
+    /// Whether R_u × R_v is nowhere zero on the domain.
+    #[must_use]
+    pub fn regular(&self) -> &Verdict {
+        &self.regular
+    }
+
+    /// Whether the offsets are rational in the same parameters.
+    #[must_use]
+    pub fn rational_offset(&self) -> &Verdict {
+        &self.rational_offset
+    }
+
+    /// The error that the poles are, if there are any.
+    #[must_use]
+    pub fn pole_finding(&self) -> Option<Diagnostic> {
+        if self.poles.is_empty() {
+            return None;
+        }
+        let message = format!("`{}` has a pole on its domain: W vanishes there", self.name());
+        let mut finding = Diagnostic::new(Code::E0301, self.definition.span, message);
+        for pole in &self.poles {
+            finding = finding.note(format!("W = 0 at {pole}"));
+        }
+        Some(finding.help("end the domain before the pole: `on [a, b] x [c, d]`"))
+    }
+}

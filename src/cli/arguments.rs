@@ -1,0 +1,142 @@
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+use crate::diag::Limits;
+
+/// The exact sweep compiler: swept surfaces in the notation of the papers, proved and compiled to
+/// rational Bézier patches.
+#[derive(Debug, Parser)]
+#[command(name = "sweepc", version, about, max_term_width = 100)]
+#[command(after_help = "A file named `-` is read from standard input.\n\
+    Exit status: 0 all well; 1 errors in the input; 2 wrong usage; 3 a file could not be read or \
+    written; 4 a limit was reached; 70 an internal error.")]
+pub(super) struct Arguments {
+    #[command(subcommand)]
+    pub(super) command: Command,
+    /// When to colour messages; NO_COLOR is obeyed
+    #[arg(long, value_enum, default_value_t = Color::Auto, global = true, value_name = "WHEN")]
+    pub(super) color: Color,
+    /// Replace the value of a `param`, exactly: 3/2, 0.25
+    #[arg(short = 'D', long = "set", value_name = "NAME=VALUE", global = true)]
+    pub(super) set: Vec<String>,
+    /// Work on this surface only
+    #[arg(long, value_name = "NAME", global = true)]
+    pub(super) surface: Option<String>,
+    #[command(flatten)]
+    limits: LimitArguments,
+}
+
+#[derive(Debug, Subcommand)]
+pub(super) enum Command {
+    /// Parse, expand and check files, and decide their expectations
+    Check(CheckArguments),
+    /// Print the degree report of every surface of a file
+    Report(ReportArguments),
+    /// Write the report, the exact net and CAD files of every surface of a file
+    Compile(CompileArguments),
+}
+
+#[derive(Debug, Args)]
+pub(super) struct CheckArguments {
+    /// The files to check
+    #[arg(required = true, value_name = "FILE")]
+    pub(super) files: Vec<PathBuf>,
+    /// How to print diagnostics: `text` to standard error, `json` one object a line to standard
+    /// output
+    #[arg(long, value_enum, default_value_t = CheckFormat::Text)]
+    pub(super) format: CheckFormat,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct ReportArguments {
+    /// The file
+    #[arg(value_name = "FILE")]
+    pub(super) file: PathBuf,
+    /// How to print the report
+    #[arg(long, value_enum, default_value_t = ReportFormat::Text)]
+    pub(super) format: ReportFormat,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct CompileArguments {
+    /// The file
+    #[arg(value_name = "FILE")]
+    pub(super) file: PathBuf,
+    /// Where to write; beside the file if it is left out
+    #[arg(short, long, value_name = "DIR")]
+    pub(super) output: Option<PathBuf>,
+    /// What to write: a comma-separated list of `report`, `json`, `step`
+    #[arg(long, value_delimiter = ',', default_value = "report,json,step", value_name = "LIST")]
+    pub(super) emit: Vec<String>,
+    /// Write weights that differ by more than a factor of 10⁶
+    #[arg(long)]
+    pub(super) allow_weight_ratio: bool,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum Color {
+    Auto,
+    Always,
+    Never,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum CheckFormat {
+    Text,
+    Json,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum ReportFormat {
+    Text,
+    Json,
+    Markdown,
+}
+
+#[derive(Debug, Clone, Copy, Args)]
+#[command(next_help_heading = "Limits")]
+struct LimitArguments {
+    /// Bytes of one source file
+    #[arg(long, value_name = "BYTES", global = true)]
+    max_source: Option<usize>,
+    /// Depth of brackets, signs and calls
+    #[arg(long, value_name = "LEVELS", global = true)]
+    max_nesting: Option<usize>,
+    /// Digits of one number
+    #[arg(long, value_name = "DIGITS", global = true)]
+    max_digits: Option<usize>,
+    /// Absolute value of an exponent
+    #[arg(long, value_name = "EXPONENT", global = true)]
+    max_exponent: Option<u32>,
+    /// Predicted degree in one parameter
+    #[arg(long, value_name = "DEGREE", global = true)]
+    max_degree: Option<usize>,
+    /// Predicted number of terms of a polynomial
+    #[arg(long, value_name = "TERMS", global = true)]
+    max_terms: Option<usize>,
+    /// Bits of one number
+    #[arg(long, value_name = "BITS", global = true)]
+    max_bits: Option<u64>,
+    /// Imported files
+    #[arg(long, value_name = "FILES", global = true)]
+    max_imports: Option<usize>,
+}
+
+impl Arguments {
+    /// The limits, with those that the command line replaces.
+    pub(super) fn limits(&self) -> Limits {
+        let (given, usual) = (&self.limits, Limits::default());
+        Limits {
+            source: given.max_source.unwrap_or(usual.source),
+            nesting: given.max_nesting.unwrap_or(usual.nesting),
+            digits: given.max_digits.unwrap_or(usual.digits),
+            exponent: given.max_exponent.unwrap_or(usual.exponent),
+            degree: given.max_degree.unwrap_or(usual.degree),
+            terms: given.max_terms.unwrap_or(usual.terms),
+            bits: given.max_bits.unwrap_or(usual.bits),
+            imports: given.max_imports.unwrap_or(usual.imports),
+            ..usual
+        }
+    }
+}

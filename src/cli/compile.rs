@@ -1,0 +1,138 @@
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::diag::{Code, Diagnostic, Diagnostics};
+use crate::export::{ALL, Exporter};
+use crate::report::render_json;
+
+use super::arguments::{Arguments, CompileArguments};
+use super::output::{Staged, file_name, stem};
+use super::report::require_surfaces;
+use super::session::{Session, complain, print};
+use super::status::Status;
+
+/// `sweepc compile FILE`
+pub(super) fn run(own: &CompileArguments, arguments: &Arguments) -> Status {
+    let Some(emit) = Emit::of(&own.emit) else {
+        return Status::Usage;
+    };
+    let mut session = match Session::open(&own.file, arguments, own.allow_weight_ratio) {
+        Ok(session) => session,
+        Err(status) => return status,
+    };
+    require_surfaces(&mut session, &own.file);
+    let files = if keeps_files(&session.compilation.diagnostics) {
+        build(&mut session, own, &emit)
+    } else {
+        Vec::new()
+    };
+    let written = match write(&session, own, files) {
+        Ok(written) => written,
+        Err(finding) => {
+            session.compilation.diagnostics.push(*finding);
+            Vec::new()
+        }
+    };
+    session.print_diagnostics(arguments.color);
+    for path in written {
+        print(&format!("{}\n", path.display()));
+    }
+    Status::of(&session.compilation.diagnostics)
+}
+
+/// What is asked for.
+struct Emit {
+    report: bool,
+    formats: Vec<&'static Exporter>,
+}
+
+impl Emit {
+    fn of(words: &[String]) -> Option<Self> {
+        let mut emit = Self { report: false, formats: Vec::new() };
+        for word in words.iter().map(|own| own.trim()).filter(|own| !own.is_empty()) {
+            match ALL.iter().find(|format| format.name == word) {
+                Some(format) if emit.formats.iter().all(|own| own.name != word) => emit.formats.push(format),
+                Some(_) => {}
+                None if word == "report" => emit.report = true,
+                None => {
+                    let names: Vec<&str> = ALL.iter().map(|format| format.name).collect();
+                    complain(&format!("`{word}` is no output format; there are: report, {}", names.join(", ")));
+                    return None;
+                }
+            }
+        }
+        Some(emit)
+    }
+}
+
+/// Errors of single surfaces spoil only their own files; any other error spoils all.
+fn keeps_files(diagnostics: &Diagnostics) -> bool {
+    diagnostics.errors().all(|own| own.code.as_str().starts_with("E03") && own.code != Code::E0303)
+}
+
+/// The files of a compilation, by name; refusals and warnings go to the findings.
+fn build(session: &mut Session, own: &CompileArguments, emit: &Emit) -> Vec<(String, Vec<u8>)> {
+    let stem = stem(&own.file);
+    let mut files = Vec::new();
+    let mut findings = Vec::new();
+    let compilation = &session.compilation;
+    if emit.report {
+        match render_json(&compilation.report(&file_name(&own.file), &session.sources)) {
+            Ok(text) => files.push((format!("{stem}.report.json"), text.into_bytes())),
+            Err(error) => findings.push(Diagnostic::global(Code::E0602, error.to_string())),
+        }
+    }
+    for surface in compilation.sound_surfaces() {
+        for format in &emit.formats {
+            let name = format!("{stem}-{}.{}", surface.name(), format.extension);
+            match compilation.export(surface, format, &stem, &session.options) {
+                Ok(exported) => {
+                    let span = surface.definition().span;
+                    findings.extend(exported.warnings.into_iter().map(|own| own.at(span)));
+                    files.push((name, exported.bytes));
+                }
+                Err(finding) => findings.push(*finding),
+            }
+        }
+    }
+    session.compilation.diagnostics.extend(findings);
+    files
+}
+
+/// Writes all files or none.
+fn write(session: &Session, own: &CompileArguments, files: Vec<(String, Vec<u8>)>) -> Result<Vec<PathBuf>, Box<Diagnostic>> {
+    if files.is_empty() {
+        return Ok(Vec::new());
+    }
+    let folder = folder(own);
+    let failed = |path: &Path, error: &std::io::Error| {
+        let message = format!("`{}` cannot be written: {error}", path.display());
+        Box::new(Diagnostic::global(Code::E0602, message))
+    };
+    if !folder.as_os_str().is_empty() && !folder.exists() {
+        fs::create_dir(&folder).map_err(|error| failed(&folder, &error))?;
+    }
+    let mut staged = Staged::default();
+    for (name, bytes) in files {
+        let path = folder.join(name);
+        if is_input(session, &path) {
+            let message = format!("`{}` is an input of this compilation", path.display());
+            return Err(Box::new(Diagnostic::global(Code::E0602, message)));
+        }
+        staged.add(path.clone(), &bytes).map_err(|error| failed(&path, &error))?;
+    }
+    staged.commit().map_err(|(path, error)| failed(&path, &error))
+}
+
+/// The folder asked for, or that of the file; for standard input the working directory.
+fn folder(own: &CompileArguments) -> PathBuf {
+    match &own.output {
+        Some(folder) => folder.clone(),
+        None => own.file.parent().map(Path::to_path_buf).unwrap_or_default(),
+    }
+}
+
+fn is_input(session: &Session, path: &Path) -> bool {
+    let canonical = fs::canonicalize(path).ok();
+    canonical.is_some_and(|path| session.paths.iter().flatten().any(|own| *own == path))
+}

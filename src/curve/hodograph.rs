@@ -1,0 +1,96 @@
+use crate::number::{Field, Real};
+use crate::poly::{
+    RealRoot, SquareTest, UniPoly, gcd_all, real_roots, sign_change, square_test,
+};
+
+use super::{Fault, Homogeneous, Interval};
+
+/// The hodograph r′ = (a, b, c)/d in lowest terms, d primitive.
+///
+/// For homogeneous coordinates (w; x) in lowest terms x′ = (x′w − xw′)/w²; a repeated factor of w
+/// cancels once more.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Hodograph {
+    /// a, b, c
+    pub numerators: [UniPoly<Real>; 3],
+    /// d
+    pub denominator: UniPoly<Real>,
+}
+
+impl Hodograph {
+    /// The derivative of a curve in lowest terms.
+    #[must_use]
+    pub fn of(curve: &Homogeneous) -> Self {
+        let weight = &curve.weight;
+        let slope = weight.derivative();
+        let numerators = curve.coordinates.each_ref().map(|own| {
+            if weight.is_constant() {
+                own.derivative()
+            } else {
+                &(&own.derivative() * weight) - &(own * &slope)
+            }
+        });
+        let denominator = if weight.is_constant() { weight.clone() } else { weight * weight };
+        let common = gcd_all(std::iter::once(&denominator).chain(&numerators));
+        let divide = |own: &UniPoly<Real>| own.exact_div(&common).unwrap_or_else(|| own.clone());
+        Self {
+            denominator: divide(&denominator),
+            numerators: numerators.each_ref().map(divide),
+        }
+    }
+
+    /// Whether the curve does not move.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        self.numerators.iter().all(UniPoly::is_zero)
+    }
+
+    /// The polynomial N with N² = a² + b² + c², positive on the domain apart from isolated
+    /// zeros: the numerator of the parametric speed σ = N/|d|.
+    ///
+    /// For a plane curve N = |g| h |ω|² where a + ib = g h ω².   [farouki-nittler, eq. 3]
+    ///
+    /// # Errors
+    ///
+    /// [`Fault::NoMotion`], [`Fault::NotPythagorean`], [`Fault::IrrationalSpeed`], and
+    /// [`Fault::SpeedChangesSign`] where no choice of sign is right on the whole domain.
+    pub fn speed(&self, domain: &Interval) -> Result<UniPoly<Real>, Fault> {
+        if self.is_zero() {
+            return Err(Fault::NoMotion);
+        }
+        let squares = self.numerators.iter().map(|own| own * own);
+        let squared = squares.fold(UniPoly::zero(), |sum, own| &sum + &own);
+        let (factor, root) = match square_test(&squared) {
+            SquareTest::Square { factor, root } => (factor, root),
+            SquareTest::NotSquare { odd_part } => return Err(Fault::NotPythagorean { odd_part }),
+        };
+        let Some(scale) = factor.square_root() else {
+            return Err(Fault::IrrationalSpeed { radicand: factor });
+        };
+        let signed = root.scale(&scale);
+        let over = &signed * &self.denominator;
+        if let Some(root) = sign_change(&over, domain.start(), domain.end()) {
+            return Err(Fault::SpeedChangesSign { root });
+        }
+        Ok(if is_negative(&over, domain) { -&signed } else { signed })
+    }
+
+    /// The cusps: zeros of a speed numerator on the closed domain.
+    #[must_use]
+    pub fn cusps(speed: &UniPoly<Real>, domain: &Interval) -> Vec<RealRoot<Real>> {
+        if speed.is_constant() {
+            return Vec::new();
+        }
+        real_roots(speed, domain.start(), domain.end())
+    }
+}
+
+/// The sign of a non-zero polynomial that does not change sign on the domain: one of
+/// deg + 1 inner points is not a zero.
+fn is_negative(polynomial: &UniPoly<Real>, domain: &Interval) -> bool {
+    let pieces = i64::try_from(polynomial.numerators().len() + 1).unwrap_or(i64::MAX);
+    (1..pieces)
+        .map(|piece| polynomial.evaluate(&domain.fraction(piece, pieces)).sign())
+        .find(|sign| sign.is_ne())
+        .is_some_and(std::cmp::Ordering::is_lt)
+}

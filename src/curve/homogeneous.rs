@@ -1,0 +1,81 @@
+use crate::number::Real;
+use crate::poly::{Fraction, RealRoot, UniPoly, gcd_all, lcm, real_roots};
+
+use super::{Interval, Parameter};
+
+/// A curve in homogeneous coordinates (w; x, y, z): the points (x/w, y/w, z/w).
+///
+/// The coordinates may share a factor; [`Homogeneous::reduce`] removes it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Homogeneous {
+    /// w, primitive
+    pub weight: UniPoly<Real>,
+    /// x, y, z
+    pub coordinates: [UniPoly<Real>; 3],
+}
+
+impl Homogeneous {
+    /// A polynomial curve.
+    #[must_use]
+    pub fn polynomial(coordinates: [UniPoly<Real>; 3]) -> Self {
+        Self {
+            weight: UniPoly::one(),
+            coordinates,
+        }
+    }
+
+    /// Brings three fractions in one parameter over the least common multiple of their
+    /// denominators, as they are written; none if they depend on the other parameter.
+    #[must_use]
+    pub fn from_fractions(fractions: &[Fraction<Real>; 3], parameter: Parameter) -> Option<Self> {
+        let zero = Real::from(0);
+        let parts = fractions.each_ref().map(|own| match parameter {
+            Parameter::U => (own.numerator().at_v(&zero), own.denominator().in_u()),
+            Parameter::V => (own.numerator().at_u(&zero), own.denominator().in_v()),
+        });
+        let weight = parts.iter().fold(UniPoly::one(), |common, (_, own)| lcm(&common, own));
+        let over = |(numerator, denominator): &(UniPoly<Real>, &UniPoly<Real>)| {
+            Some(numerator * &weight.exact_div(denominator)?)
+        };
+        let coordinates = [over(&parts[0])?, over(&parts[1])?, over(&parts[2])?];
+        Some(Self {
+            weight,
+            coordinates,
+        })
+    }
+
+    /// The first zero on an interval that all four coordinates share.
+    #[must_use]
+    pub fn common_zero(&self, domain: &Interval) -> Option<RealRoot<Real>> {
+        let common = gcd_all(std::iter::once(&self.weight).chain(&self.coordinates));
+        if common.is_constant() {
+            return None;
+        }
+        real_roots(&common, domain.start(), domain.end()).into_iter().next()
+    }
+
+    /// The same curve without the common factor of w, x, y, z.
+    #[must_use]
+    pub fn reduce(&self) -> Self {
+        let all = std::iter::once(&self.weight).chain(&self.coordinates);
+        let common = gcd_all(all);
+        let divide = |own: &UniPoly<Real>| own.exact_div(&common).unwrap_or_else(|| own.clone());
+        Self {
+            weight: divide(&self.weight),
+            coordinates: self.coordinates.each_ref().map(divide),
+        }
+    }
+
+    /// The degree of the curve: the largest of its homogeneous coordinates.
+    #[must_use]
+    pub fn degree(&self) -> usize {
+        let all = std::iter::once(&self.weight).chain(&self.coordinates);
+        all.filter_map(UniPoly::degree).max().unwrap_or(0)
+    }
+
+    /// Whether w is constant.
+    #[must_use]
+    pub fn is_polynomial(&self) -> bool {
+        self.weight.is_constant()
+    }
+}

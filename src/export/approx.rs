@@ -1,0 +1,147 @@
+#![allow(
+    clippy::disallowed_types,
+    reason = "the one place where exact numbers become doubles"
+)]
+
+use crate::number::{Field, Integer, Real, Ring};
+
+/// The bits of a double below its exponent.
+const FRACTION_BITS: i64 = 52;
+/// Every double is an integer times 2⁻¹⁰⁷⁴.
+const LEAST_EXPONENT: i64 = -1_074;
+/// Doubles are less than 2¹⁰²⁴.
+const EXPONENT_BOUND: i64 = 1_024;
+
+/// An IEEE 754 double that is a number: neither infinite nor −0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Double {
+    bits: u64,
+}
+
+impl Double {
+    /// The double nearest to a number, of two the one with an even last bit.
+    ///
+    /// None if the number is 2¹⁰²⁴ − 2⁹⁷⁰ or more in absolute value: beyond the last double by
+    /// half a step. What rounds to zero is +0.
+    ///
+    /// - **holds** |q − d| ≤ |q − e| for every double e
+    #[must_use]
+    pub fn nearest(exact: &Real) -> Option<Self> {
+        let (sign, numerator, denominator) = sign_and_parts(exact);
+        if Ring::is_zero(&numerator) {
+            return Some(Self { bits: 0 });
+        }
+        let (above, below) = (length(&numerator), length(&denominator));
+        if above - below > EXPONENT_BOUND {
+            return None;
+        }
+        // 2^top ≤ |q| < 2^(top + 1), and the mantissa counts steps of 2^step.
+        let trial = above - below;
+        let (left, right) = shifted(&numerator, &denominator, trial);
+        let top = if left < right { trial - 1 } else { trial };
+        let step = (top - FRACTION_BITS).max(LEAST_EXPONENT);
+        let (dividend, divisor) = shifted(&numerator, &denominator, step);
+        let quotient = &dividend / &divisor;
+        let twice = (dividend - &quotient * &divisor) * 2_u8;
+        let mantissa = u64::try_from(quotient).ok()?;
+        let up = twice > divisor || (twice == divisor && mantissa & 1 == 1);
+        // The exponent is added to the mantissa with its leading bit, so that a carry moves on
+        // to the next binade by itself.
+        let binade = u64::try_from(step - LEAST_EXPONENT).ok()? << FRACTION_BITS;
+        let bits = binade + mantissa + u64::from(up);
+        if bits >= f64::INFINITY.to_bits() {
+            return None;
+        }
+        let sign = u64::from(sign && bits != 0) << 63;
+        Some(Self { bits: bits | sign })
+    }
+
+    /// The number that it is.
+    #[must_use]
+    pub fn exact(self) -> Real {
+        let biased = i64::try_from(self.bits << 1 >> (FRACTION_BITS + 1)).unwrap_or_default();
+        let fraction = self.bits & ((1 << FRACTION_BITS) - 1);
+        let leading = u64::from(biased > 0) << FRACTION_BITS;
+        let step = biased.max(1) - 1 + LEAST_EXPONENT;
+        let mantissa = Integer::from(fraction | leading);
+        let mantissa = if self.bits >> 63 == 1 {
+            -mantissa
+        } else {
+            mantissa
+        };
+        let (numerator, denominator) = shifted(&mantissa, &Integer::from(1), -step);
+        Real::from_parts(numerator, denominator)
+    }
+
+    /// The double itself.
+    #[must_use]
+    pub fn value(self) -> f64 {
+        f64::from_bits(self.bits)
+    }
+
+    /// Whether it is 0.
+    #[must_use]
+    pub fn is_zero(self) -> bool {
+        self.bits == 0
+    }
+
+    /// Whether it is 0 or less than 2⁻¹⁰²² in absolute value, where doubles lose digits.
+    #[must_use]
+    pub fn is_tiny(self) -> bool {
+        self.bits << 1 >> (FRACTION_BITS + 1) == 0
+    }
+
+    /// The shortest decimal that reads back as this double, for JSON: `1.0`, `0.1`, `1.5e-7`.
+    #[must_use]
+    pub fn json(self) -> String {
+        format!("{:?}", self.value())
+    }
+
+    /// The shortest decimal that reads back as this double, for STEP: always with a point, an
+    /// upper-case E: `1.`, `0.1`, `1.5E-7`.
+    #[must_use]
+    pub fn step(self) -> String {
+        let text = self.json();
+        let (mantissa, exponent) = match text.split_once('e') {
+            Some((mantissa, exponent)) => (mantissa, format!("E{exponent}")),
+            None => (text.as_str(), String::new()),
+        };
+        let mantissa = mantissa.strip_suffix(".0").unwrap_or(mantissa);
+        let point = if mantissa.contains('.') { "" } else { "." };
+        format!("{mantissa}{point}{exponent}")
+    }
+}
+
+/// The power of ten at or below the absolute value of a number that is not 0: `1e308`.
+pub(super) fn magnitude(exact: &Real) -> String {
+    let (_, numerator, denominator) = sign_and_parts(exact);
+    let digits = |quotient: Integer| quotient.to_string().len() - 1;
+    if numerator >= denominator {
+        return format!("1e{}", digits(numerator / denominator));
+    }
+    // 10⁻ᵏ ≤ n/d exactly if d/n ≤ 10ᵏ, so k counts the digits of ⌈d/n⌉ − 1.
+    let below = (denominator - 1_u8) / numerator;
+    format!("1e-{}", digits(below) + 1)
+}
+
+/// Whether it is negative, and the absolute value as a quotient of integers.
+fn sign_and_parts(exact: &Real) -> (bool, Integer, Integer) {
+    let (numerator, denominator) = exact.parts();
+    let negative = Ring::sign(&numerator).is_lt();
+    let numerator = if negative { -numerator } else { numerator };
+    (negative, numerator, denominator)
+}
+
+/// n and d with n/d divided by 2^exponent.
+fn shifted(numerator: &Integer, denominator: &Integer, exponent: i64) -> (Integer, Integer) {
+    if exponent >= 0 {
+        (numerator.clone(), denominator << exponent)
+    } else {
+        (numerator << -exponent, denominator.clone())
+    }
+}
+
+/// The number of bits.
+fn length(value: &Integer) -> i64 {
+    i64::try_from(value.bits()).unwrap_or(i64::MAX)
+}

@@ -1,0 +1,71 @@
+use crate::number::Real;
+
+/// What a file says beside the net.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Context<'a> {
+    /// The name of the surface in the source.
+    pub surface: &'a str,
+    /// The name of the source file without its extension.
+    pub stem: &'a str,
+    /// What the number 1 means as a length.
+    pub unit: Unit,
+    /// The generators of the field of the net's numbers, in their order; none for the rationals.
+    pub field: Vec<Generator>,
+    /// Whether weights may differ by any factor, not only by
+    /// [10⁶](Context::GREATEST_WEIGHT_RATIO).
+    pub any_weight_ratio: bool,
+}
+
+impl<'a> Context<'a> {
+    /// The quotient of the greatest weight by the least above which kernels lose accuracy.
+    pub const GREATEST_WEIGHT_RATIO: i64 = 1_000_000;
+
+    /// A surface of a file, in millimetres and over the rationals.
+    #[must_use]
+    pub fn new(stem: &'a str, surface: &'a str) -> Self {
+        Self {
+            surface,
+            stem,
+            unit: Unit::default(),
+            field: Vec::new(),
+            any_weight_ratio: false,
+        }
+    }
+}
+
+/// A generator of the field: the positive square root of a number that precedes it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Generator {
+    /// Its name, such as `r1`.
+    pub name: String,
+    /// Its square.
+    pub square: Real,
+}
+
+/// A unit of length.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Unit {
+    /// 10⁻³ m
+    #[default]
+    Millimetre,
+    /// 10⁻² m
+    Centimetre,
+    /// 1 m
+    Metre,
+    /// 25.4 mm
+    Inch,
+}
+
+impl Unit {
+    /// The unit of a symbol: `mm`, `cm`, `m` or `inch`.
+    #[must_use]
+    pub fn from_symbol(symbol: &str) -> Option<Self> {
+        match symbol {
+            "mm" => Some(Self::Millimetre),
+            "cm" => Some(Self::Centimetre),
+            "m" => Some(Self::Metre),
+            "inch" => Some(Self::Inch),
+            _ => None,
+        }
+    }
+}

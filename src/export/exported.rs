@@ -1,0 +1,34 @@
+use crate::number::Real;
+
+use super::ExportFault;
+
+/// A file, ready to be written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Exported {
+    /// All of it.
+    pub bytes: Vec<u8>,
+    /// How it differs from the exact surface.
+    pub fidelity: Fidelity,
+    /// What is odd about it; every code is a warning's.
+    pub warnings: Vec<ExportFault>,
+}
+
+/// How a file differs from the exact surface.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Fidelity {
+    /// In nothing.
+    Exact,
+    /// Every number is the double nearest to the exact one.
+    Rounded {
+        /// No coordinate of a surface point moves by more than this; a proved bound in the unit
+        /// of length. None where nothing is proved: for weights that are not all positive, and
+        /// for inner knots whose rounding changes the shape.
+        max_error: Option<Real>,
+    },
+    /// Replaced by triangles.
+    Tessellated {
+        /// No point of the triangles is farther from the surface than this, in the unit of
+        /// length.
+        chord_error: Real,
+    },
+}

@@ -1,0 +1,119 @@
+//! The exact net as JSON, `sweepc-net/1`: exact numbers as strings, their doubles beside them.
+
+use serde_json::json;
+
+use crate::net::{ControlNet, Knots};
+use crate::number::Real;
+
+use super::{Context, Double, ExportFault, Exported, Exporter, Fidelity, RoundedNet};
+
+pub(super) const EXPORTER: Exporter = Exporter {
+    name: "json",
+    extension: "json",
+    summary: "the exact net, with its doubles",
+    write,
+};
+
+/// - **errors** a number beyond the last double (E0306)
+fn write(net: &ControlNet, context: &Context) -> Result<Exported, ExportFault> {
+    let rounded = RoundedNet::new(net)?;
+    let generators = context.field.iter();
+    let field = generators.map(|own| json!({"name": own.name, "square": own.square.to_string()}));
+    let knots = |knots: &Knots| Layout::Line(array(knots.values().iter().map(quoted)));
+    let weights = net.weights().iter().map(quoted);
+    let points = net.points().iter().map(|own| array(own.iter().map(quoted)));
+    let columns = net.columns();
+    let file = Layout::Object(vec![
+        ("format", Layout::line("sweepc-net/1")),
+        ("name", Layout::line(context.surface)),
+        ("field", Layout::line(field.collect::<Vec<_>>())),
+        ("degree", Layout::line([net.degree().u, net.degree().v])),
+        ("knots", along(knots(net.knots_u()), knots(net.knots_v()))),
+        ("weights", rows(weights.collect(), columns)),
+        ("points", rows(points.collect(), columns)),
+        ("float", doubles(&rounded)),
+    ]);
+    let mut text = String::new();
+    file.print(0, &mut text);
+    text.push('\n');
+    Ok(Exported {
+        bytes: text.into_bytes(),
+        fidelity: Fidelity::Exact,
+        warnings: rounded.warnings,
+    })
+}
+
+/// The member `float`: the doubles of knots, weights and points.
+fn doubles(net: &RoundedNet) -> Layout {
+    let list = |values: &[Double]| array(values.iter().map(|own| own.json()));
+    let knots = |values| Layout::Line(list(values));
+    let weights = net.weights.iter().map(|row| list(row));
+    let points = net
+        .points
+        .iter()
+        .map(|row| array(row.iter().map(|own| list(own))));
+    Layout::Object(vec![
+        ("knots", along(knots(&net.knots_u), knots(&net.knots_v))),
+        ("weights", Layout::Rows(weights.collect())),
+        ("points", Layout::Rows(points.collect())),
+    ])
+}
+
+/// A JSON text with its line breaks: one line for each member of an object and each row.
+enum Layout {
+    Object(Vec<(&'static str, Layout)>),
+    Rows(Vec<String>),
+    Line(String),
+}
+
+impl Layout {
+    /// A value on one line.
+    fn line(value: impl serde::Serialize) -> Self {
+        Self::Line(json!(value).to_string())
+    }
+
+    /// Appends the text; its first line begins where the text ends, the others are indented.
+    fn print(&self, depth: usize, text: &mut String) {
+        let margin = |depth| format!("\n{}", "  ".repeat(depth));
+        let comma = |index| if index > 0 { "," } else { "" };
+        match self {
+            Self::Line(line) => text.push_str(line),
+            Self::Rows(rows) => {
+                text.push('[');
+                for (index, row) in rows.iter().enumerate() {
+                    text.extend([comma(index), &margin(depth + 1), row]);
+                }
+                text.extend([&margin(depth), "]"]);
+            }
+            Self::Object(members) => {
+                text.push('{');
+                for (index, (key, value)) in members.iter().enumerate() {
+                    text.extend([comma(index), &margin(depth + 1), "\"", key, "\": "]);
+                    value.print(depth + 1, text);
+                }
+                text.extend([&margin(depth), "}"]);
+            }
+        }
+    }
+}
+
+/// What belongs to u and what to v.
+fn along(u: Layout, v: Layout) -> Layout {
+    Layout::Object(vec![("u", u), ("v", v)])
+}
+
+/// Rows of equal length, one line each.
+fn rows(items: Vec<String>, columns: usize) -> Layout {
+    let rows = items.chunks(columns);
+    Layout::Rows(rows.map(|row| array(row.iter().cloned())).collect())
+}
+
+/// An array on one line.
+fn array(items: impl Iterator<Item = String>) -> String {
+    format!("[{}]", items.collect::<Vec<_>>().join(", "))
+}
+
+/// An exact number as a JSON string.
+fn quoted(exact: &Real) -> String {
+    format!("\"{exact}\"")
+}

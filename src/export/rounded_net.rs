@@ -1,0 +1,207 @@
+use std::collections::HashMap;
+
+use crate::diag::Code;
+use crate::net::{ControlNet, Knots};
+use crate::number::{Field, Real};
+
+use super::approx::magnitude;
+use super::{Double, ExportFault, Fidelity};
+
+/// The doubles of a net, each the one nearest to its exact number, and what was lost.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct RoundedNet {
+    /// The knots along u, with their repetitions.
+    pub knots_u: Vec<Double>,
+    /// The knots along v, with their repetitions.
+    pub knots_v: Vec<Double>,
+    /// The weights, row i by row i.
+    pub weights: Vec<Vec<Double>>,
+    /// The affine points, row i by row i.
+    pub points: Vec<Vec<[Double; 3]>>,
+    /// Numbers that become zero or subnormal (W1005), points that become equal (W1008).
+    pub warnings: Vec<ExportFault>,
+}
+
+impl RoundedNet {
+    /// Rounds every number of a net.
+    ///
+    /// - **errors** a number beyond the last double (E0306)
+    pub fn new(net: &ControlNet) -> Result<Self, ExportFault> {
+        let mut tiny = Vec::new();
+        let mut round = |exact: &Real, what: &dyn Fn() -> String| {
+            let double = Double::nearest(exact).ok_or_else(|| too_large(exact, &what()))?;
+            if double.is_tiny() && !exact.is_zero() {
+                tiny.push(what());
+            }
+            Ok(double)
+        };
+        let mut knots = |knots: &Knots, along: &str| -> Result<Vec<_>, _> {
+            let what = || format!("a knot along {along}");
+            let values = knots.values().iter();
+            values.map(|own| round(own, &what)).collect()
+        };
+        let (knots_u, knots_v) = (knots(net.knots_u(), "u")?, knots(net.knots_v(), "v")?);
+        let mut weights = Vec::new();
+        let mut points = Vec::new();
+        for i in 0..net.rows() {
+            let mut row = (Vec::new(), Vec::new());
+            for j in 0..net.columns() {
+                row.0
+                    .push(round(net.weight(i, j), &|| format!("weight ({i}, {j})"))?);
+                let [x, y, z] = net.point(i, j);
+                let mut coordinate =
+                    |exact, name| round(exact, &|| format!("{name} of control point ({i}, {j})"));
+                row.1.push([
+                    coordinate(x, "x")?,
+                    coordinate(y, "y")?,
+                    coordinate(z, "z")?,
+                ]);
+            }
+            weights.push(row.0);
+            points.push(row.1);
+        }
+        let mut rounded = Self {
+            knots_u,
+            knots_v,
+            weights,
+            points,
+            warnings: Vec::new(),
+        };
+        rounded.warnings.extend(tiny_numbers(&tiny));
+        rounded.warnings.extend(rounded.merged_points(net));
+        Ok(rounded)
+    }
+
+    /// How the doubles differ from the net that they were made of.
+    #[must_use]
+    pub fn fidelity(&self, net: &ControlNet) -> Fidelity {
+        let weights = error(net.weights().iter().zip(self.weights.iter().flatten()));
+        let points = [0, 1, 2].map(|axis| error(self.axis(net, axis)));
+        let knots_u = net.knots_u().values().iter().zip(&self.knots_u);
+        let knots_v = net.knots_v().values().iter().zip(&self.knots_v);
+        let exact_knots = error(knots_u.chain(knots_v)).is_zero();
+        if exact_knots && weights.is_zero() && points.iter().all(Field::is_zero) {
+            return Fidelity::Exact;
+        }
+        let stable = exact_knots || (shape_stable(net.knots_u()) && shape_stable(net.knots_v()));
+        let max_error = stable.then(|| self.bound(net, &points)).flatten();
+        Fidelity::Rounded { max_error }
+    }
+
+    /// A bound of what a coordinate of a surface point moves by; none without positive weights.
+    ///
+    /// Let e bound the error of the points' coordinate, δ < 1 the relative error of the weights,
+    /// and let s be the width of the coordinate. The mean of the rounded points is within e of the
+    /// mean of the exact ones under equal weights, and Σ wᵢ(1+δᵢ)pᵢ / Σ wᵢ(1+δᵢ) − p =
+    /// Σ wᵢδᵢ(pᵢ−p) / Σ wᵢ(1+δᵢ) is at most sδ/(1−δ). Together: e + sδ/(1−δ).
+    fn bound(&self, net: &ControlNet, errors: &[Real; 3]) -> Option<Real> {
+        if !net.all_positive() {
+            return None;
+        }
+        let weights = net.weights().iter().zip(self.weights.iter().flatten());
+        let relative = weights.map(|(exact, double)| {
+            let inverse = exact.inverse().unwrap_or_else(Real::zero);
+            absolute(&double.exact().times(&inverse).minus(&Real::one()))
+        });
+        let relative = relative.max().unwrap_or_else(Real::zero);
+        let factor = Real::one().minus(&relative);
+        if !factor.sign().is_gt() {
+            return None;
+        }
+        let factor = relative.times(&factor.inverse()?);
+        let axes = errors.iter().enumerate().filter_map(|(axis, own)| {
+            let values = || self.axis(net, axis).map(|(exact, _)| exact);
+            let width = values().max()?.minus(values().min()?);
+            Some(own.plus(&width.times(&factor)))
+        });
+        axes.max()
+    }
+
+    /// One coordinate of all points, exact and rounded.
+    fn axis<'a>(
+        &'a self,
+        net: &'a ControlNet,
+        axis: usize,
+    ) -> impl Iterator<Item = (&'a Real, &'a Double)> {
+        let points = net.points().iter().zip(self.points.iter().flatten());
+        points.map(move |(exact, rounded)| (&exact[axis], &rounded[axis]))
+    }
+
+    /// Says that different control points have the same doubles.
+    fn merged_points(&self, net: &ControlNet) -> Option<ExportFault> {
+        let mut seen: HashMap<[Double; 3], (usize, usize)> = HashMap::new();
+        let mut count = 0_usize;
+        let mut first = None;
+        for i in 0..net.rows() {
+            for j in 0..net.columns() {
+                let earlier = *seen.entry(self.points[i][j]).or_insert((i, j));
+                let (one, other) = (net.point(earlier.0, earlier.1), net.point(i, j));
+                let apart = [0, 1, 2].map(|axis| absolute(&one[axis].minus(&other[axis])));
+                let apart = apart.into_iter().max().filter(|own| !own.is_zero());
+                if let Some(apart) = apart {
+                    count += 1;
+                    first.get_or_insert((earlier, (i, j), apart));
+                }
+            }
+        }
+        let (one, other, apart) = first?;
+        let more = if count > 1 {
+            format!(" ({count} such points)")
+        } else {
+            String::new()
+        };
+        let message = format!(
+            "control points {one:?} and {other:?} differ by about {} and become equal as doubles{more}",
+            magnitude(&apart)
+        );
+        let help =
+            "move the surface nearer to the origin, or read the exact numbers of the `json` file";
+        Some(ExportFault::new(Code::W1008, message, help))
+    }
+}
+
+/// The greatest distance of numbers from their doubles.
+fn error<'a>(pairs: impl Iterator<Item = (&'a Real, &'a Double)>) -> Real {
+    let distances = pairs.map(|(exact, double)| absolute(&double.exact().minus(exact)));
+    distances.max().unwrap_or_else(Real::zero)
+}
+
+/// |a|
+fn absolute(value: &Real) -> Real {
+    if value.sign().is_lt() {
+        value.negated()
+    } else {
+        value.clone()
+    }
+}
+
+/// Whether moving the knots without merging any only changes the parametrisation: so it is if each
+/// inner knot is repeated as often as the degree says, and the spans are Bézier patches.
+fn shape_stable(knots: &Knots) -> bool {
+    let runs = knots.multiplicities();
+    runs.iter().all(|(_, count)| *count >= knots.degree())
+}
+
+fn too_large(exact: &Real, what: &str) -> ExportFault {
+    let message = format!(
+        "{what} is about {}, beyond the last double",
+        magnitude(exact)
+    );
+    ExportFault::new(
+        Code::E0306,
+        message,
+        "use a larger unit of length, or a scale in which the numbers are smaller",
+    )
+}
+
+fn tiny_numbers(items: &[String]) -> Option<ExportFault> {
+    let first = items.first()?;
+    let message = match items.len() {
+        1 => format!("{first} becomes zero or subnormal as a double"),
+        count => {
+            format!("{count} numbers become zero or subnormal as doubles, the first is {first}")
+        }
+    };
+    let help = "use a smaller unit of length, or read the exact numbers of the `json` file";
+    Some(ExportFault::new(Code::W1005, message, help))
+}

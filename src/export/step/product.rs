@@ -1,0 +1,99 @@
+//! What surrounds the geometry: header, units and the product that has the shape.
+
+use super::Context;
+use super::entities::{Entities, Id, string};
+use super::face::Shape;
+use crate::export::Unit;
+
+/// The header: its records are filled and the time stamp is fixed, so that equal surfaces give
+/// equal files.
+pub(super) fn header(context: &Context) -> String {
+    let file = string(&format!("{}-{}.step", context.stem, context.surface));
+    let program = concat!("'sweepc ", env!("CARGO_PKG_VERSION"), "'");
+    format!(
+        "HEADER;\n\
+         FILE_DESCRIPTION(('swept surface as a rational B-spline'),'2;1');\n\
+         FILE_NAME({file},'1970-01-01T00:00:00',('unknown'),('unknown'),{program},{program},'none');\n\
+         FILE_SCHEMA(('AUTOMOTIVE_DESIGN {{ 1 0 10303 214 1 1 1 1 }}'));\n\
+         ENDSEC;\n"
+    )
+}
+
+/// The unit of length as an entity.
+fn write_unit(unit: Unit, entities: &mut Entities) -> Id {
+    let length = "LENGTH_UNIT()".to_owned();
+    let mut metric = |prefix: &str| {
+        let si = format!("SI_UNIT({prefix},.METRE.)");
+        entities.add_complex(&mut [length.clone(), "NAMED_UNIT(*)".to_owned(), si])
+    };
+    match unit {
+        Unit::Millimetre => metric(".MILLI."),
+        Unit::Centimetre => metric(".CENTI."),
+        Unit::Metre => metric("$"),
+        Unit::Inch => {
+            let base = metric(".MILLI.");
+            let factor = entities.add(&format!(
+                "LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(25.4),{base})"
+            ));
+            let dimensions = entities.add("DIMENSIONAL_EXPONENTS(1.,0.,0.,0.,0.,0.,0.)");
+            entities.add_complex(&mut [
+                length.clone(),
+                format!("NAMED_UNIT({dimensions})"),
+                format!("CONVERSION_BASED_UNIT('INCH',{factor})"),
+            ])
+        }
+    }
+}
+
+/// The units and the uncertainty in which the geometry is meant.
+fn write_geometric_context(unit: Unit, entities: &mut Entities) -> Id {
+    let length = write_unit(unit, entities);
+    let mut si = |kind: &str, name: &str| {
+        let parts = [
+            format!("{kind}()"),
+            "NAMED_UNIT(*)".to_owned(),
+            format!("SI_UNIT($,.{name}.)"),
+        ];
+        entities.add_complex(&mut parts.clone())
+    };
+    let angle = si("PLANE_ANGLE_UNIT", "RADIAN");
+    let solid = si("SOLID_ANGLE_UNIT", "STERADIAN");
+    let uncertainty = entities.add(&format!(
+        "UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-7),{length},'distance_accuracy_value','points closer than this coincide')"
+    ));
+    entities.add_complex(&mut [
+        "GEOMETRIC_REPRESENTATION_CONTEXT(3)".to_owned(),
+        format!("GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT(({uncertainty}))"),
+        format!("GLOBAL_UNIT_ASSIGNED_CONTEXT(({length},{angle},{solid}))"),
+        "REPRESENTATION_CONTEXT('','3D')".to_owned(),
+    ])
+}
+
+/// The product whose shape it is; without it readers find nothing.
+pub(super) fn write(shape: &Shape, context: &Context, entities: &mut Entities) {
+    let name = string(context.surface);
+    let geometry = write_geometric_context(context.unit, entities);
+    let Shape {
+        representation,
+        item,
+    } = shape;
+    let representation = entities.add(&format!("{representation}({name},({item}),{geometry})"));
+    let application = entities.add("APPLICATION_CONTEXT('automotive design')");
+    entities.add(&format!(
+        "APPLICATION_PROTOCOL_DEFINITION('international standard','automotive_design',2000,{application})"
+    ));
+    let product_context = entities.add(&format!("PRODUCT_CONTEXT('',{application},'mechanical')"));
+    let product = entities.add(&format!("PRODUCT({name},{name},'',({product_context}))"));
+    entities.add(&format!(
+        "PRODUCT_RELATED_PRODUCT_CATEGORY('part','',({product}))"
+    ));
+    let formation = entities.add(&format!("PRODUCT_DEFINITION_FORMATION('','',{product})"));
+    let stage = entities.add(&format!(
+        "PRODUCT_DEFINITION_CONTEXT('part definition',{application},'design')"
+    ));
+    let definition = entities.add(&format!("PRODUCT_DEFINITION('','',{formation},{stage})"));
+    let property = entities.add(&format!("PRODUCT_DEFINITION_SHAPE('','',{definition})"));
+    entities.add(&format!(
+        "SHAPE_DEFINITION_REPRESENTATION({property},{representation})"
+    ));
+}

@@ -1,0 +1,113 @@
+use crate::number::{Field, Real};
+
+/// The clamped knots of a B-spline direction, with its degree.
+///
+/// The first knot and the last are repeated degree + 1 times, an inner knot at most degree times;
+/// the knots ascend and the first is less than the last. One span is a Bézier direction.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Knots {
+    degree: usize,
+    values: Vec<Real>,
+}
+
+impl Knots {
+    /// The knots of one span; none if `from` is not less than `to`.
+    #[must_use]
+    pub fn bezier(degree: usize, from: &Real, to: &Real) -> Option<Self> {
+        let mut values = vec![from.clone(); degree + 1];
+        values.resize(2 * degree + 2, to.clone());
+        Self::new(degree, values)
+    }
+
+    /// Knots with their repetitions; none if they are not clamped or do not ascend.
+    #[must_use]
+    pub fn new(degree: usize, values: Vec<Real>) -> Option<Self> {
+        let knots = Self { degree, values };
+        if !knots.values.is_sorted() {
+            return None;
+        }
+        let runs = knots.multiplicities();
+        let last = runs.len().checked_sub(1)?;
+        let sound = |(index, (_, count)): (usize, &(&Real, usize))| match index {
+            0 => *count == degree + 1,
+            _ if index == last => *count == degree + 1,
+            _ => *count <= degree,
+        };
+        let clamped = last > 0 && runs.iter().enumerate().all(sound);
+        clamped.then_some(knots)
+    }
+
+    /// The degree.
+    #[must_use]
+    pub fn degree(&self) -> usize {
+        self.degree
+    }
+
+    /// All knots, ascending, with their repetitions.
+    #[must_use]
+    pub fn values(&self) -> &[Real] {
+        &self.values
+    }
+
+    /// The first knot and the last.
+    #[must_use]
+    pub fn domain(&self) -> (&Real, &Real) {
+        (&self.values[0], &self.values[self.values.len() - 1])
+    }
+
+    /// The same knots counted from 0 to 1: an affine change of the parameter.
+    #[must_use]
+    pub fn normalised(&self) -> Self {
+        let (from, to) = self.domain();
+        let scale = to.minus(from).inverse().unwrap_or_else(Real::one);
+        let values = self.values.iter().map(|own| own.minus(from).times(&scale));
+        Self {
+            degree: self.degree,
+            values: values.collect(),
+        }
+    }
+
+    /// The different knots and how often each is repeated.
+    #[must_use]
+    pub fn multiplicities(&self) -> Vec<(&Real, usize)> {
+        let runs = self.values.chunk_by(|left, right| left == right);
+        runs.filter_map(|run| Some((run.first()?, run.len())))
+            .collect()
+    }
+
+    /// The number of control points that go with these knots.
+    #[must_use]
+    pub fn control_points(&self) -> usize {
+        self.values.len() - self.degree - 1
+    }
+
+    /// The value at a parameter of the B-spline with these homogeneous control points, by repeated
+    /// affine combination: de Boor's scheme, which on one span is de Casteljau's.
+    ///
+    /// None outside the domain, or if the number of points is not [`Knots::control_points`].
+    #[must_use]
+    pub fn blend(&self, points: &[[Real; 4]], at: &Real) -> Option<[Real; 4]> {
+        let (degree, knots) = (self.degree, &self.values);
+        if points.len() != self.control_points() || at < knots.first()? || at > knots.last()? {
+            return None;
+        }
+        let span = knots.partition_point(|knot| knot <= at);
+        let first = span.min(self.control_points()) - 1 - degree;
+        let mut corner = points.get(first..=first + degree)?.to_vec();
+        for step in 1..=degree {
+            for index in (step..=degree).rev() {
+                let (low, high) = (
+                    &knots[first + index],
+                    &knots[first + index + 1 + degree - step],
+                );
+                let ratio = at.minus(low).times(&high.minus(low).inverse()?);
+                let rest = Real::one().minus(&ratio);
+                corner[index] = std::array::from_fn(|axis| {
+                    let near = corner[index - 1][axis].times(&rest);
+                    near.plus(&corner[index][axis].times(&ratio))
+                });
+            }
+        }
+        corner.pop()
+    }
+}

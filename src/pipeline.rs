@@ -1,0 +1,168 @@
+//! The compiler on one screen: text → [`Document`] → [`Program`] → [`Checked`] → [`ControlNet`]
+//! → bytes.
+//!
+//! Each stage is a type, and data only moves forward. Reading and writing files is the affair of
+//! the caller.
+
+use std::collections::HashMap;
+
+use crate::check::{Checked, Judgement, Verdict, judge};
+use crate::diag::{Code, Diagnostic, Diagnostics, Limits, SourceMap};
+use crate::export::{Context, Exported, Exporter};
+use crate::net::ControlNet;
+use crate::number::{Real, Unit};
+use crate::report::{Report, SurfaceReport};
+use crate::sema::{self, Program};
+use crate::syntax::{self, ast::Document};
+
+/// The standard library, in the language itself.
+const LIBRARY: &str = include_str!("std/constructions.sweep");
+
+/// What a compilation is asked for.
+#[derive(Debug, Clone, Default)]
+pub struct Options {
+    /// Values that replace those of `param` declarations.
+    pub overrides: HashMap<String, Real>,
+    /// The only surface to work on; all if there is none.
+    pub surface: Option<String>,
+    /// What the input may ask for.
+    pub limits: Limits,
+    /// Whether weights may differ by any factor in formats that lose accuracy by it.
+    pub any_weight_ratio: bool,
+}
+
+/// A compiled file: what was proved of it, and every finding.
+#[derive(Debug, Default)]
+pub struct Compilation {
+    /// The length unit.
+    pub unit: Unit,
+    /// The names of all surfaces that were asked for; those with errors have nothing behind them.
+    pub surfaces: Vec<Option<Checked>>,
+    /// The expectations that could be decided or shown to be undecided.
+    pub judgements: Vec<Judgement>,
+    /// The findings, in the order of the text.
+    pub diagnostics: Diagnostics,
+}
+
+/// Compiles parsed files, the root file first, up to checked surfaces.
+#[must_use]
+pub fn compile(sources: &mut SourceMap, documents: &[Document], options: &Options, mut diagnostics: Diagnostics) -> Compilation {
+    let library = library(sources, &mut diagnostics);
+    let input = sema::Sources {
+        map: sources,
+        documents,
+        library: &[library],
+        overrides: &options.overrides,
+        limits: &options.limits,
+    };
+    let program = sema::lower(&input, &mut diagnostics);
+    let mut compilation = Compilation { unit: program.unit, diagnostics, ..Compilation::default() };
+    compilation.check(&program, options);
+    compilation.judge(&program, options);
+    compilation.diagnostics.sort();
+    compilation
+}
+
+/// The standard library's declarations.
+fn library(sources: &mut SourceMap, diagnostics: &mut Diagnostics) -> Document {
+    let file = sources.add("<standard library>", LIBRARY);
+    syntax::parse(file, LIBRARY, &Limits::default(), diagnostics)
+}
+
+impl Compilation {
+    fn check(&mut self, program: &Program, options: &Options) {
+        let wanted = |name: &str| options.surface.as_deref().is_none_or(|only| only == name);
+        for surface in &program.surfaces {
+            if !wanted(&surface.name) {
+                self.surfaces.push(None);
+                continue;
+            }
+            match Checked::of(surface.clone(), &options.limits) {
+                Ok(checked) => {
+                    self.diagnostics.extend(checked.pole_finding());
+                    self.surfaces.push(Some(checked));
+                }
+                Err(finding) => {
+                    self.diagnostics.push(*finding);
+                    self.surfaces.push(None);
+                }
+            }
+        }
+    }
+
+    fn judge(&mut self, program: &Program, options: &Options) {
+        for expectation in &program.expectations {
+            match judge(expectation, &self.surfaces, &options.limits) {
+                Ok(Some(judgement)) => {
+                    self.diagnostics.extend(finding(&judgement));
+                    self.judgements.push(judgement);
+                }
+                Ok(None) => {}
+                Err(finding) => self.diagnostics.push(*finding),
+            }
+        }
+    }
+
+    /// The report of every sound surface. An expectation stands with the surfaces it speaks of,
+    /// one that speaks of none with the first.
+    #[must_use]
+    pub fn report(&self, file: &str, sources: &SourceMap) -> Report {
+        let first = self.surfaces.iter().position(Option::is_some);
+        let surfaces = self.surfaces.iter().enumerate().filter_map(|(index, surface)| {
+            let own = self.judgements.iter().filter(|judgement| {
+                let of = &judgement.expectation.surfaces;
+                of.contains(&index) || (of.is_empty() && first == Some(index))
+            });
+            let lined: Vec<(&Judgement, usize)> =
+                own.map(|own| (own, sources.position(own.expectation.span).0)).collect();
+            Some(SurfaceReport::of(surface.as_ref()?, &lined))
+        });
+        Report::new(file.to_owned(), surfaces.collect())
+    }
+
+    /// The surfaces that may be written: checked, and without poles.
+    pub fn sound_surfaces(&self) -> impl Iterator<Item = &Checked> {
+        let checked = self.surfaces.iter().filter_map(Option::as_ref);
+        checked.filter(|surface| surface.poles().is_empty())
+    }
+
+    /// The bytes of a surface in a format.
+    ///
+    /// # Errors
+    ///
+    /// The refusal of a format that cannot carry the surface.
+    pub fn export(&self, surface: &Checked, format: &Exporter, stem: &str, options: &Options) -> Result<Exported, Box<Diagnostic>> {
+        let span = surface.definition().span;
+        let (u, v) = (&surface.domain().u, &surface.domain().v);
+        let net = ControlNet::bezier(
+            surface.surface().coordinates().each_ref(),
+            (u.start(), u.end()),
+            (v.start(), v.end()),
+        );
+        let Some(net) = net else {
+            let message = format!("the first weight of `{}` is 0", surface.name());
+            return Err(Box::new(Diagnostic::new(Code::E0301, span, message)));
+        };
+        let mut context = Context::new(stem, surface.name());
+        context.unit = self.unit;
+        context.any_weight_ratio = options.any_weight_ratio;
+        (format.write)(&net, &context).map_err(|fault| Box::new(fault.at(span)))
+    }
+}
+
+/// The error that an expectation is which does not hold.
+fn finding(judgement: &Judgement) -> Option<Diagnostic> {
+    let expectation = &judgement.expectation;
+    let text = expectation.text.split_whitespace().collect::<Vec<_>>().join(" ");
+    match &judgement.verdict {
+        Verdict::Proven(_) => None,
+        Verdict::Refuted(witness) => {
+            let message = format!("the expectation `{text}` does not hold");
+            Some(Diagnostic::new(Code::E0401, expectation.span, message).label(witness))
+        }
+        Verdict::Undecided(reason) => {
+            let message = format!("the expectation `{text}` is undecided");
+            Some(Diagnostic::new(Code::E0402, expectation.span, message).label(reason))
+        }
+    }
+}

@@ -1,0 +1,49 @@
+use super::report::{Decision, SurfaceReport};
+use super::text::{degree_rows, facts};
+use super::Report;
+
+/// The report as Markdown: a section with two tables for each surface.
+#[must_use]
+pub fn render_markdown(report: &Report) -> String {
+    let mut text = format!("# {}\n", escape(&report.file));
+    for own in &report.surfaces {
+        text.push_str(&surface(own));
+    }
+    text
+}
+
+fn surface(surface: &SurfaceReport) -> String {
+    let mut text = format!(
+        "\n## {}\n\nu in [{}], v in [{}]\n\n| | W | X | Y | Z | |\n|---|---|---|---|---|---|\n",
+        escape(&surface.name),
+        surface.domain.u.join(", "),
+        surface.domain.v.join(", ")
+    );
+    for row in degree_rows(surface) {
+        text.push_str(&format!("| {} | {} | {} |\n", row.label, row.cells.join(" | "), row.remark));
+    }
+    text.push_str("\n| | |\n|---|---|\n");
+    for (label, value) in facts(surface) {
+        text.push_str(&format!("| {label} | {} |\n", escape(&value)));
+    }
+    for own in &surface.expectations {
+        let mark = match own.holds {
+            Decision::Decided(true) => "holds",
+            Decision::Decided(false) => "**fails**",
+            Decision::Undecided(_) => "**undecided**",
+        };
+        text.push_str(&format!("| expect `{}` | {mark} |\n", own.text.replace('|', "\\|")));
+    }
+    text
+}
+
+/// Text that Markdown takes as it is.
+fn escape(text: &str) -> String {
+    text.chars().fold(String::new(), |mut escaped, own| {
+        if "\\`*_|<>#".contains(own) {
+            escaped.push('\\');
+        }
+        escaped.push(own);
+        escaped
+    })
+}

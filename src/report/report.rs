@@ -1,0 +1,269 @@
+use serde::Serialize;
+
+use crate::check::{AffineDegree, Checked, Judgement, Verdict};
+use crate::curve::Interval;
+use crate::number::{Field, Real};
+use crate::poly::{BiDegree, BiPoly, Coprimality, UniPoly, ZeroKind, ZeroSet};
+
+/// The report of a file, as `report --format json` prints it.
+#[derive(Debug, Clone, Serialize)]
+pub struct Report {
+    format: &'static str,
+    /// The name of the file.
+    pub file: String,
+    field: Vec<Generator>,
+    /// One report for each surface.
+    pub surfaces: Vec<SurfaceReport>,
+}
+
+impl Report {
+    /// The report of a file's surfaces.
+    #[must_use]
+    pub fn new(file: String, surfaces: Vec<SurfaceReport>) -> Self {
+        Self {
+            format: "sweepc-report/1",
+            file,
+            field: Vec::new(),
+            surfaces,
+        }
+    }
+}
+
+/// A generator of the field: the positive root of its square.
+#[derive(Debug, Clone, Serialize)]
+struct Generator {
+    name: String,
+    square: String,
+}
+
+/// The report of one surface. Bidegrees are `[u, v]`, null for the zero polynomial.
+#[derive(Debug, Clone, Serialize)]
+pub struct SurfaceReport {
+    /// Its name.
+    pub name: String,
+    /// Its domain.
+    pub(super) domain: DomainReport,
+    pub(super) homogeneous: Coordinates<PolynomialReport>,
+    pub(super) bound: Coordinates<Option<[usize; 2]>>,
+    pub(super) as_constructed: Coordinates<Option<[usize; 2]>>,
+    pub(super) common_factor: PolynomialReport,
+    pub(super) affine: AffineReport,
+    pub(super) patch: PatchReport,
+    pub(super) weights: WeightsReport,
+    pub(super) poles: Vec<PlaceReport>,
+    pub(super) regular: Decision,
+    pub(super) rational_offset: Decision,
+    pub(super) expectations: Vec<ExpectationReport>,
+    /// What only the readable forms of the report say.
+    #[serde(skip)]
+    pub(super) remarks: Remarks,
+}
+
+#[derive(Debug, Clone)]
+pub(super) struct Remarks {
+    pub(super) common_factor: String,
+    pub(super) coprimality: &'static str,
+    pub(super) regular: Verdict,
+    pub(super) rational_offset: Verdict,
+    pub(super) weights: Option<(String, String)>,
+    pub(super) poles: Vec<String>,
+}
+
+#[derive(Debug, Clone, Serialize)]
+pub(super) struct DomainReport {
+    pub(super) u: [String; 2],
+    pub(super) v: [String; 2],
+}
+
+#[derive(Debug, Clone, Serialize)]
+#[serde(rename_all = "UPPERCASE")]
+pub(super) struct Coordinates<T> {
+    pub(super) w: T,
+    pub(super) x: T,
+    pub(super) y: T,
+    pub(super) z: T,
+}
+
+impl<T> Coordinates<T> {
+    fn of([w, x, y, z]: [T; 4]) -> Self {
+        Self { w, x, y, z }
+    }
+
+    pub(super) fn list(&self) -> [&T; 4] {
+        [&self.w, &self.x, &self.y, &self.z]
+    }
+}
+
+#[derive(Debug, Clone, Serialize)]
+pub(super) struct PolynomialReport {
+    pub(super) bidegree: Option<[usize; 2]>,
+    pub(super) terms: Vec<(usize, usize, String)>,
+}
+
+#[derive(Debug, Clone, Serialize)]
+pub(super) struct AffineReport {
+    pub(super) x: AffineCoordinate,
+    pub(super) y: AffineCoordinate,
+    pub(super) z: AffineCoordinate,
+}
+
+#[derive(Debug, Clone, Serialize)]
+pub(super) struct AffineCoordinate {
+    pub(super) numerator: Option<[usize; 2]>,
+    pub(super) denominator: [usize; 2],
+}
+
+#[derive(Debug, Clone, Serialize)]
+pub(super) struct PatchReport {
+    pub(super) bidegree: [usize; 2],
+    pub(super) spans: [usize; 2],
+    pub(super) control_points: [usize; 2],
+}
+
+#[derive(Debug, Clone, Serialize)]
+pub(super) struct WeightsReport {
+    pub(super) positive: bool,
+    pub(super) min: Option<String>,
+    pub(super) max: Option<String>,
+}
+
+#[derive(Debug, Clone, Serialize)]
+pub(super) struct PlaceReport {
+    kind: &'static str,
+    u: [String; 2],
+    v: [String; 2],
+}
+
+/// True, false, or `"undecided"`.
+#[derive(Debug, Clone, Copy, Serialize)]
+#[serde(untagged)]
+pub(super) enum Decision {
+    Decided(bool),
+    Undecided(&'static str),
+}
+
+impl Decision {
+    fn of(verdict: &Verdict) -> Self {
+        verdict.holds().map_or(Self::Undecided("undecided"), Self::Decided)
+    }
+}
+
+#[derive(Debug, Clone, Serialize)]
+pub(super) struct ExpectationReport {
+    pub(super) text: String,
+    pub(super) holds: Decision,
+    pub(super) line: usize,
+    #[serde(skip)]
+    pub(super) because: String,
+}
+
+impl SurfaceReport {
+    /// The report of a surface with its expectations, each with its line.
+    #[must_use]
+    pub fn of(surface: &Checked, judgements: &[(&Judgement, usize)]) -> Self {
+        let expansion = surface.expansion();
+        let homogeneous = surface.surface();
+        let degree = homogeneous.bidegree();
+        let range = surface.weights();
+        Self {
+            name: surface.name().to_owned(),
+            domain: DomainReport {
+                u: ends(&surface.domain().u),
+                v: ends(&surface.domain().v),
+            },
+            homogeneous: Coordinates::of(homogeneous.coordinates().each_ref().map(polynomial)),
+            bound: Coordinates::of(expansion.bound.map(pair)),
+            as_constructed: Coordinates::of(expansion.constructed.map(pair)),
+            common_factor: polynomial(&expansion.common_factor),
+            affine: affine(surface.affine()),
+            patch: PatchReport {
+                bidegree: [degree.u, degree.v],
+                spans: [1, 1],
+                control_points: [degree.u + 1, degree.v + 1],
+            },
+            weights: WeightsReport {
+                positive: range.is_some_and(crate::check::WeightRange::is_positive),
+                min: range.map(|range| range.min.to_string()),
+                max: range.map(|range| range.max.to_string()),
+            },
+            poles: surface.poles().iter().map(place).collect(),
+            regular: Decision::of(surface.regular()),
+            rational_offset: Decision::of(surface.rational_offset()),
+            expectations: judgements.iter().map(|(own, line)| expectation(own, *line)).collect(),
+            remarks: remarks(surface),
+        }
+    }
+}
+
+fn remarks(surface: &Checked) -> Remarks {
+    let expansion = surface.expansion();
+    Remarks {
+        common_factor: expansion.common_factor.to_string(),
+        coprimality: match expansion.coprimality {
+            Some(Coprimality::Modular) => "coprime, proved modulo 2^61 - 1",
+            Some(Coprimality::Euclid) => "coprime, proved by exact division",
+            None => "coprimality not certified",
+        },
+        regular: surface.regular().clone(),
+        rational_offset: surface.rational_offset().clone(),
+        weights: surface.weights().map(|range| (number(&range.min), number(&range.max))),
+        poles: surface.poles().iter().map(ToString::to_string).collect(),
+    }
+}
+
+/// A number as a reader wants it: exact where that is short, else its first digits.
+fn number(value: &Real) -> String {
+    let exact = value.to_string();
+    if exact.chars().count() <= 12 { exact } else { format!("≈ {}", value.decimal(6)) }
+}
+
+fn pair(degree: Option<BiDegree>) -> Option<[usize; 2]> {
+    degree.map(|BiDegree { u, v }| [u, v])
+}
+
+fn ends(interval: &Interval) -> [String; 2] {
+    [interval.start().to_string(), interval.end().to_string()]
+}
+
+fn polynomial(polynomial: &BiPoly<Real>) -> PolynomialReport {
+    let mut terms = Vec::new();
+    for (u, row) in polynomial.rows().iter().enumerate() {
+        for (v, coefficient) in UniPoly::coefficients(row).iter().enumerate() {
+            if !coefficient.is_zero() {
+                terms.push((u, v, coefficient.to_string()));
+            }
+        }
+    }
+    PolynomialReport { bidegree: pair(polynomial.bidegree()), terms }
+}
+
+fn affine([x, y, z]: &[AffineDegree; 3]) -> AffineReport {
+    let of = |own: &AffineDegree| AffineCoordinate {
+        numerator: pair(own.numerator),
+        denominator: [own.denominator.u, own.denominator.v],
+    };
+    AffineReport { x: of(x), y: of(y), z: of(z) }
+}
+
+fn place(zeros: &ZeroSet<Real>) -> PlaceReport {
+    let bounds = |(lower, upper): &(Real, Real)| [lower.to_string(), upper.to_string()];
+    PlaceReport {
+        kind: match zeros.kind {
+            ZeroKind::LineU => "u",
+            ZeroKind::LineV => "v",
+            ZeroKind::Point => "point",
+            ZeroKind::Box => "box",
+        },
+        u: bounds(&zeros.u),
+        v: bounds(&zeros.v),
+    }
+}
+
+fn expectation(judgement: &Judgement, line: usize) -> ExpectationReport {
+    ExpectationReport {
+        text: judgement.expectation.text.clone(),
+        holds: Decision::of(&judgement.verdict),
+        line,
+        because: judgement.verdict.because().to_owned(),
+    }
+}

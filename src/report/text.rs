@@ -1,0 +1,143 @@
+use super::report::{Decision, SurfaceReport};
+use super::Report;
+
+/// The report for a terminal, one screen for each surface.
+#[must_use]
+pub fn render_text(report: &Report) -> String {
+    let surfaces = report.surfaces.iter().map(|own| surface(own, &report.file));
+    surfaces.collect::<Vec<_>>().join("\n")
+}
+
+fn surface(surface: &SurfaceReport, file: &str) -> String {
+    let mut lines = Vec::new();
+    let domain = format!(
+        "u in [{}], v in [{}]",
+        surface.domain.u.join(", "),
+        surface.domain.v.join(", ")
+    );
+    lines.push(format!("{}   {file}   {domain}", surface.name));
+    lines.push(String::new());
+    lines.push(row("", &["W", "X", "Y", "Z"].map(str::to_owned), ""));
+    for degrees in degree_rows(surface) {
+        lines.push(row(degrees.label, &degrees.cells, &degrees.remark));
+    }
+    lines.push(String::new());
+    for (label, value) in facts(surface) {
+        lines.push(entry(label, &value));
+    }
+    if !surface.expectations.is_empty() {
+        lines.push(String::new());
+        lines.extend(expectations(surface));
+    }
+    let mut text = lines.iter().map(|line| line.trim_end()).collect::<Vec<_>>().join("\n");
+    text.push('\n');
+    text
+}
+
+/// A row of the degree table.
+pub(super) struct DegreeRow {
+    pub(super) label: &'static str,
+    pub(super) cells: [String; 4],
+    pub(super) remark: String,
+}
+
+/// bound → constructed → reduced, with what cancelled and what was removed.
+pub(super) fn degree_rows(surface: &SurfaceReport) -> [DegreeRow; 3] {
+    let bound = surface.bound.list().map(|own| *own);
+    let constructed = surface.as_constructed.list().map(|own| *own);
+    let reduced = surface.homogeneous.list().map(|own| own.bidegree);
+    let removed = surface.common_factor.bidegree.unwrap_or_default();
+    let remark = if removed == [0, 0] {
+        "nothing to remove".to_owned()
+    } else {
+        format!("common factor {} removed", degree(Some(removed)))
+    };
+    [
+        DegreeRow { label: "bound", cells: bound.map(degree), remark: String::new() },
+        DegreeRow { label: "constructed", cells: constructed.map(degree), remark: cancelled(bound, constructed) },
+        DegreeRow { label: "reduced", cells: reduced.map(degree), remark },
+    ]
+}
+
+fn cancelled(bound: [Option<[usize; 2]>; 4], constructed: [Option<[usize; 2]>; 4]) -> String {
+    let losses: Vec<String> = ["W", "X", "Y", "Z"]
+        .into_iter()
+        .zip(bound.into_iter().zip(constructed))
+        .filter_map(|(name, pair)| match pair {
+            (Some(before), None) if before != [0, 0] => Some(format!("{name} vanishes")),
+            (Some([u, v]), Some([a, b])) if (u, v) != (a, b) => {
+                Some(format!("{name} loses {}", degree(Some([u.saturating_sub(a), v.saturating_sub(b)]))))
+            }
+            _ => None,
+        })
+        .collect();
+    if losses.is_empty() { "nothing cancels".to_owned() } else { losses.join(", ") }
+}
+
+pub(super) fn degree(pair: Option<[usize; 2]>) -> String {
+    pair.map_or_else(|| "0".to_owned(), |[u, v]| format!("({u}, {v})"))
+}
+
+/// The facts below the table, each with its label.
+pub(super) fn facts(surface: &SurfaceReport) -> Vec<(&'static str, String)> {
+    let remarks = &surface.remarks;
+    let affine = [("x", &surface.affine.x), ("y", &surface.affine.y), ("z", &surface.affine.z)];
+    let affine = affine.map(|(name, own)| {
+        format!("{name} {}/{}", degree(own.numerator), degree(Some(own.denominator)))
+    });
+    let patch = &surface.patch;
+    let [rows, columns] = patch.control_points;
+    let weights = match &remarks.weights {
+        Some((min, max)) if min == max => format!("all {min}"),
+        Some((min, max)) => {
+            let sign = if surface.weights.positive { "positive" } else { "not all positive" };
+            format!("{sign}, from {min} to {max}")
+        }
+        None => "the first weight is 0".to_owned(),
+    };
+    let poles = if remarks.poles.is_empty() { "none".to_owned() } else { remarks.poles.join("; ") };
+    vec![
+        ("common factor", format!("{}   ({} after removal)", remarks.common_factor, remarks.coprimality)),
+        ("lowest terms", affine.join("   ")),
+        ("patch", format!("{}, {rows} × {columns} control points", degree(Some(patch.bidegree)))),
+        ("weights", weights),
+        ("poles", poles),
+        ("regular", decision(surface.regular, remarks.regular.because())),
+        ("rational offset", decision(surface.rational_offset, remarks.rational_offset.because())),
+    ]
+}
+
+pub(super) fn decision(decision: Decision, because: &str) -> String {
+    match decision {
+        Decision::Decided(true) => format!("yes: {because}"),
+        Decision::Decided(false) => format!("no: {because}"),
+        Decision::Undecided(_) => format!("undecided: {because}"),
+    }
+}
+
+fn expectations(surface: &SurfaceReport) -> Vec<String> {
+    let width = surface.expectations.iter().map(|own| own.text.chars().count()).max();
+    let width = width.unwrap_or(0).min(60);
+    surface
+        .expectations
+        .iter()
+        .map(|own| {
+            let (mark, because) = match own.holds {
+                Decision::Decided(true) => ("holds    ", String::new()),
+                Decision::Decided(false) => ("fails    ", format!("   {}", own.because)),
+                Decision::Undecided(_) => ("undecided", format!("   {}", own.because)),
+            };
+            let text = own.text.split_whitespace().collect::<Vec<_>>().join(" ");
+            format!("  {mark}  {text:<width$}  line {}{because}", own.line)
+        })
+        .collect()
+}
+
+fn row(label: &str, cells: &[String; 4], remark: &str) -> String {
+    let [w, x, y, z] = cells;
+    format!("  {label:<16}{w:<10}{x:<10}{y:<10}{z:<10}{remark}")
+}
+
+fn entry(label: &str, value: &str) -> String {
+    format!("  {label:<16}{value}")
+}

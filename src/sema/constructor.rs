@@ -1,0 +1,120 @@
+use crate::curve::kinds::{self, Arguments, Kind, Shape, Slot};
+use crate::diag::{Code, Span};
+use crate::number::Real;
+use crate::syntax::ast::{Argument, Expr, ExprKind, Name};
+
+use super::lowerer::{Lowered, Lowerer, Reported};
+use super::scope::Scope;
+use super::value::Value;
+
+impl<'a> Lowerer<'a> {
+    /// The constructor that a name stands for, unless a declaration has taken the name.
+    pub(super) fn constructor(&self, name: &Name) -> Option<&'static Kind> {
+        if self.definitions.contains_key(name.text.as_str()) {
+            return None;
+        }
+        kinds::ALL.iter().find(|kind| kind.name == name.text)
+    }
+
+    /// Reports a curve constructor where no curve is declared, or one of a later version.
+    pub(super) fn report_constructor(&mut self, name: &Name, scope: &Scope<'_>) -> Option<Reported> {
+        let finding = if kinds::RESERVED.contains(&name.text.as_str()) {
+            let message = format!("`{}` is not in this version", name.text);
+            self.finding(scope, Code::E0110, name.span, message)
+        } else if kinds::ALL.iter().any(|kind| kind.name == name.text) {
+            let message = format!("`{}` makes a curve, it is no value", name.text);
+            self.finding(scope, Code::E0107, name.span, message)
+                .help("declare the curve: `curve c(v) in xy = …`, and use `c(v)` here")
+        } else {
+            return None;
+        };
+        Some(self.report(finding))
+    }
+
+    /// The arguments of a constructor, slot by slot.
+    pub(super) fn constructor_arguments(&mut self, kind: &Kind, arguments: &'a [Argument], parenthesis: Span) -> Lowered<Arguments> {
+        let mut values = vec![None; kind.slots.len()];
+        let mut position = 0;
+        for argument in arguments {
+            let slot = match &argument.label {
+                Some(label) => kind.slots.iter().position(|own| own.label == Some(label.text.as_str())),
+                None => {
+                    position += 1;
+                    (position - 1 < kind.slots.len() && kind.slots[position - 1].label.is_none())
+                        .then_some(position - 1)
+                }
+            };
+            let Some(slot) = slot else {
+                let place = argument.label.as_ref().map_or(argument.value.span, |own| own.span);
+                return Err(self.report_usage(kind, place, "this argument has no place here"));
+            };
+            if values[slot].is_some() {
+                return Err(self.report_usage(kind, argument.value.span, "this argument is given twice"));
+            }
+            values[slot] = Some(self.shaped(kind, &kind.slots[slot], &argument.value)?);
+        }
+        let missing = |(slot, value): (&Slot, &Option<kinds::Value>)| value.is_none() && !slot.optional;
+        if kind.slots.iter().zip(&values).any(missing) {
+            return Err(self.report_usage(kind, parenthesis, "an argument is missing"));
+        }
+        Ok(Arguments(values))
+    }
+
+    fn report_usage(&mut self, kind: &Kind, span: Span, what: &str) -> Reported {
+        let finding = crate::diag::Diagnostic::new(Code::E0107, span, format!("`{}`: {what}", kind.name));
+        self.report(finding.help(format!("write {}", kind.usage)))
+    }
+
+    fn shaped(&mut self, kind: &Kind, slot: &Slot, expr: &'a Expr) -> Lowered<kinds::Value> {
+        match slot.shape {
+            Shape::Number => Ok(kinds::Value::Number(self.constant_number(expr)?)),
+            Shape::Point => Ok(kinds::Value::Point(self.constant_point(expr)?)),
+            Shape::Points | Shape::Pairs => {
+                let entries = self.entries(kind, expr)?;
+                let points = entries.iter().map(|entry| self.constant_point(entry));
+                let points = points.collect::<Lowered<Vec<Vec<Real>>>>()?;
+                let length = if slot.shape == Shape::Pairs { 2 } else { points.first().map_or(2, Vec::len) };
+                match points.iter().position(|own| own.len() != length) {
+                    None => Ok(kinds::Value::Points(points)),
+                    Some(index) => {
+                        let message = format!("a point with {} coordinates where the others have {length}", points[index].len());
+                        Err(self.report(crate::diag::Diagnostic::new(Code::E0106, entries[index].span, message)))
+                    }
+                }
+            }
+            Shape::Numbers => {
+                let entries = self.entries(kind, expr)?;
+                let numbers = entries.iter().map(|entry| self.constant_number(entry));
+                Ok(kinds::Value::Numbers(numbers.collect::<Lowered<Vec<Real>>>()?))
+            }
+        }
+    }
+
+    fn entries(&mut self, kind: &Kind, expr: &'a Expr) -> Lowered<&'a [Expr]> {
+        match &expr.kind {
+            ExprKind::List(entries) if !entries.is_empty() => Ok(entries),
+            _ => Err(self.report_usage(kind, expr.span, "a list in square brackets is needed")),
+        }
+    }
+
+    pub(super) fn constant_number(&mut self, expr: &'a Expr) -> Lowered<Real> {
+        let scope = Scope::constant();
+        let scalar = self.scalar(expr, &scope)?;
+        self.number(&scalar, &scope)
+    }
+
+    fn constant_point(&mut self, expr: &'a Expr) -> Lowered<Vec<Real>> {
+        let value = self.constant(expr)?;
+        match value {
+            Value::Pair(_) | Value::Vector(_) => value
+                .components()
+                .iter()
+                .map(|own| self.number(own, &Scope::constant()))
+                .collect(),
+            other => {
+                let message = format!("a point is needed here, this is {}", other.type_name());
+                Err(self.report(crate::diag::Diagnostic::new(Code::E0106, expr.span, message)))
+            }
+        }
+    }
+}

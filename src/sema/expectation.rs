@@ -1,0 +1,279 @@
+use std::rc::Rc;
+
+use crate::curve::{Curve, Interval, Parameter};
+use crate::diag::{Code, Diagnostic, Span};
+use crate::sweep::{Claim, Domain, Expectation, Form, Quality, Quantity, Relation, Scalar, SweptSurface};
+use crate::syntax::ast::{self, Argument, Expr, ExprKind, Name, Reference, Role};
+
+use super::definition::DefinitionForm;
+use super::lowerer::{Lowered, Lowerer, Meaning, Reported};
+use super::scope::Scope;
+use super::value::Value;
+
+/// A side of an expectation before types are compared.
+enum Side {
+    Quantity(Quantity),
+    Value(Value),
+}
+
+impl<'a> Lowerer<'a> {
+    /// Whether a name is declared as a surface.
+    pub(super) fn is_surface(&self, name: &Name) -> bool {
+        let definition = self.definitions.get(name.text.as_str());
+        definition.is_some_and(|own| matches!(own.form, DefinitionForm::Surface { .. }))
+    }
+
+    /// The surface of that name.
+    pub(super) fn surface(&mut self, name: &Name) -> Lowered<Rc<SweptSurface>> {
+        match self.meaning(name, &Scope::constant())? {
+            Meaning::Surface(surface) => Ok(surface),
+            _ => Err(Reported),
+        }
+    }
+
+    pub(super) fn define_surface(&mut self, name: &Name, domain: Option<&'a (ast::Interval, ast::Interval)>, value: &'a Expr) -> Lowered<SweptSurface> {
+        let given = match domain {
+            Some((u, v)) => {
+                let (u, v) = (self.interval(u), self.interval(v));
+                Some(Domain { u: u?, v: v? })
+            }
+            None => None,
+        };
+        let coordinates = match self.value(value, &Scope::surface())? {
+            Value::Vector(vector) => vector,
+            other => {
+                let message = format!("a surface is a vector expression, this is {}", other.type_name());
+                return Err(self.report(Diagnostic::new(Code::E0302, value.span, message)));
+            }
+        };
+        let domain = match given {
+            Some(domain) => domain,
+            None => Domain {
+                u: self.domain_of_curves(name, &coordinates, Parameter::U)?,
+                v: self.domain_of_curves(name, &coordinates, Parameter::V)?,
+            },
+        };
+        Ok(SweptSurface { name: name.text.clone(), span: name.span, domain, coordinates })
+    }
+
+    /// The domain of the profile (sweep curve) that a surface uses, else of the curves it uses in
+    /// that parameter, else [0, 1].
+    fn domain_of_curves(&mut self, name: &Name, coordinates: &[Scalar; 3], parameter: Parameter) -> Lowered<Interval> {
+        let mut used: Vec<Rc<Curve>> = Vec::new();
+        for own in coordinates {
+            own.visit_curves(&mut |curve, argument| {
+                let same = matches!(argument.form(), Form::Parameter(own) if *own == parameter);
+                if (same || curve.parameter() == parameter) && !used.iter().any(|known| Rc::ptr_eq(known, curve)) {
+                    used.push(Rc::clone(curve));
+                }
+            });
+        }
+        let leading = |curve: &&Rc<Curve>| {
+            let role = match parameter {
+                Parameter::U => Role::Profile,
+                Parameter::V => Role::Sweep,
+            };
+            let definition = self.definitions.get(curve.name());
+            curve.parameter() == parameter
+                && definition.is_some_and(|own| matches!(own.form, DefinitionForm::Curve { role: own, .. } if own == role))
+        };
+        let chosen: Vec<Rc<Curve>> = used.iter().filter(leading).cloned().collect();
+        let chosen = if chosen.is_empty() { used } else { chosen };
+        let Some(first) = chosen.first() else {
+            return Ok(Interval::unit());
+        };
+        let Some(other) = chosen.iter().find(|curve| curve.domain() != first.domain()) else {
+            return Ok(first.domain().clone());
+        };
+        let message = format!(
+            "`{}` is defined on {} and `{}` on {}: the domain of this surface in {parameter} is not clear",
+            first.name(),
+            first.domain(),
+            other.name(),
+            other.domain()
+        );
+        let finding = Diagnostic::new(Code::E0211, name.span, message);
+        Err(self.report(finding.help("give the surface its domain: `on [a, b] x [c, d]`")))
+    }
+
+    pub(super) fn expectation(
+        &mut self,
+        text: String,
+        span: Span,
+        left: &'a Expr,
+        relation: Option<&'a (ast::Relation, Expr)>,
+        surfaces: &[SweptSurface],
+    ) -> Lowered<Expectation> {
+        self.mentioned.clear();
+        let claim = match relation {
+            None => self.quality(left, surfaces)?,
+            Some((relation, right)) => {
+                let sides = (self.side(left, surfaces), self.side(right, surfaces));
+                self.comparison((sides.0?, left), relation_of(*relation), (sides.1?, right), span)?
+            }
+        };
+        let mut mentioned = Vec::new();
+        for (index, surface) in surfaces.iter().enumerate() {
+            if self.mentioned.iter().any(|own| *own == surface.name) {
+                mentioned.push(index);
+            }
+        }
+        Ok(Expectation { text, span, surfaces: mentioned, claim })
+    }
+
+    fn quality(&mut self, expr: &'a Expr, surfaces: &[SweptSurface]) -> Lowered<Claim> {
+        if let Some((name, arguments, parenthesis)) = plain_call(expr) {
+            let quality = match name.text.as_str() {
+                "rational_offset" => Some(Quality::RationalOffset),
+                "positive_weights" => Some(Quality::PositiveWeights),
+                "regular" => Some(Quality::Regular),
+                _ => None,
+            };
+            if let Some(quality) = quality {
+                self.check_arguments(name, 1, arguments, parenthesis, &Scope::constant())?;
+                let (surface, coordinate) = self.surface_of(&arguments[0].value, surfaces)?;
+                if coordinate.is_some() {
+                    return Err(self.report_not_surface(arguments[0].value.span));
+                }
+                return Ok(Claim::Quality { quality, surface });
+            }
+        }
+        let finding = Diagnostic::new(Code::E0107, expr.span, "an expectation compares two sides or names a quality of a surface");
+        Err(self.report(finding.help("write `A == B`, `regular(R)`, `rational_offset(R)` or `positive_weights(R)`")))
+    }
+
+    fn side(&mut self, expr: &'a Expr, surfaces: &[SweptSurface]) -> Lowered<Side> {
+        if let Some((name, arguments, parenthesis)) = plain_call(expr)
+            && !self.definitions.contains_key(name.text.as_str())
+        {
+            let scope = Scope::constant();
+            match name.text.as_str() {
+                "bidegree" => {
+                    self.check_arguments(name, 1, arguments, parenthesis, &scope)?;
+                    let (surface, coordinate) = self.surface_of(&arguments[0].value, surfaces)?;
+                    return Ok(Side::Quantity(Quantity::BiDegree { surface, coordinate }));
+                }
+                "common_factor" => {
+                    self.check_arguments(name, 1, arguments, parenthesis, &scope)?;
+                    return match self.surface_of(&arguments[0].value, surfaces)? {
+                        (surface, None) => Ok(Side::Quantity(Quantity::CommonFactor { surface })),
+                        _ => Err(self.report_not_surface(arguments[0].value.span)),
+                    };
+                }
+                _ => {}
+            }
+        }
+        self.value(expr, &Scope::surface()).map(Side::Value)
+    }
+
+    /// The surface, by index, that `R` or `R.W` names, and the coordinate.
+    fn surface_of(&mut self, expr: &'a Expr, surfaces: &[SweptSurface]) -> Lowered<(usize, Option<usize>)> {
+        let ExprKind::Reference(Reference { qualifier, name, primes: 0, .. }) = &expr.kind else {
+            return Err(self.report_not_surface(expr.span));
+        };
+        let surface = qualifier.as_ref().unwrap_or(name);
+        if !self.is_surface(surface) {
+            return Err(if self.definitions.contains_key(surface.text.as_str()) {
+                self.report_not_surface(expr.span)
+            } else {
+                self.report_unknown(surface, &Scope::constant())
+            });
+        }
+        let coordinate = match qualifier {
+            None => None,
+            Some(_) => match ["W", "X", "Y", "Z"].iter().position(|own| *own == name.text) {
+                Some(index) => Some(index),
+                None => {
+                    let message = format!("a surface has no coordinate `{}`", name.text);
+                    let finding = Diagnostic::new(Code::E0111, name.span, message);
+                    return Err(self.report(finding.help("its homogeneous coordinates are W, X, Y and Z")));
+                }
+            },
+        };
+        self.mentioned.push(surface.text.clone());
+        match surfaces.iter().position(|own| own.name == surface.text) {
+            Some(index) => Ok((index, coordinate)),
+            None => {
+                // Its own finding has been reported, unless it belongs to an imported file.
+                if self.surface(surface).is_ok() {
+                    let message = format!("`{}` is a surface of an imported file", surface.text);
+                    let finding = Diagnostic::new(Code::E0107, surface.span, message);
+                    self.report(finding.help("expect it in its own file"));
+                }
+                Err(Reported)
+            }
+        }
+    }
+
+    fn report_not_surface(&mut self, span: Span) -> Reported {
+        let finding = Diagnostic::new(Code::E0107, span, "the name of a surface is needed here");
+        self.report(finding.help("write `R`, or `R.W` for the bidegree of a coordinate"))
+    }
+
+    fn comparison(&mut self, left: (Side, &Expr), relation: Relation, right: (Side, &Expr), span: Span) -> Lowered<Claim> {
+        let (left_span, right_span) = (left.1.span, right.1.span);
+        let mismatch = |own: &mut Self, what: String| {
+            let finding = Diagnostic::new(Code::E0106, span, what);
+            Err(own.report(finding.related(left_span, "one side").related(right_span, "the other")))
+        };
+        let claim = match (left.0, right.0) {
+            (Side::Value(l), Side::Value(r)) => {
+                if std::mem::discriminant(&l) != std::mem::discriminant(&r) {
+                    return mismatch(self, format!("{} is compared with {}", l.type_name(), r.type_name()));
+                }
+                if relation.is_order() && !matches!(l, Value::Scalar(_)) {
+                    return mismatch(self, format!("{}s have no order", l.type_name().trim_start_matches("a ")));
+                }
+                let (l, r) = (Quantity::Value(l.components()), Quantity::Value(r.components()));
+                Claim::Comparison { left: l, relation, right: r }
+            }
+            (l, r) => {
+                let (l, r) = (quantity(l), quantity(r));
+                let sound = match (&l, &r) {
+                    (Quantity::BiDegree { .. }, Quantity::Value(parts)) | (Quantity::Value(parts), Quantity::BiDegree { .. }) => parts.len() == 2,
+                    (Quantity::CommonFactor { .. }, Quantity::Value(parts)) | (Quantity::Value(parts), Quantity::CommonFactor { .. }) => parts.len() == 1,
+                    (Quantity::BiDegree { .. }, Quantity::BiDegree { .. }) | (Quantity::CommonFactor { .. }, Quantity::CommonFactor { .. }) => true,
+                    _ => false,
+                };
+                if !sound {
+                    return mismatch(self, "these two cannot be compared: a bidegree is a pair, a common factor a polynomial".to_owned());
+                }
+                if relation.is_order() {
+                    return mismatch(self, "bidegrees and common factors are equal or not, they have no order".to_owned());
+                }
+                Claim::Comparison { left: l, relation, right: r }
+            }
+        };
+        Ok(claim)
+    }
+}
+
+fn quantity(side: Side) -> Quantity {
+    match side {
+        Side::Quantity(quantity) => quantity,
+        Side::Value(value) => Quantity::Value(value.components()),
+    }
+}
+
+fn relation_of(relation: ast::Relation) -> Relation {
+    match relation {
+        ast::Relation::Equal => Relation::Equal,
+        ast::Relation::NotEqual => Relation::NotEqual,
+        ast::Relation::Less => Relation::Less,
+        ast::Relation::LessOrEqual => Relation::LessOrEqual,
+        ast::Relation::Greater => Relation::Greater,
+        ast::Relation::GreaterOrEqual => Relation::GreaterOrEqual,
+    }
+}
+
+/// `NAME(…)` with nothing else around it.
+fn plain_call(expr: &Expr) -> Option<(&Name, &[Argument], Span)> {
+    match &expr.kind {
+        ExprKind::Apply {
+            function: Reference { qualifier: None, name, primes: 0, .. },
+            arguments,
+            parenthesis,
+        } => Some((name, arguments, *parenthesis)),
+        _ => None,
+    }
+}

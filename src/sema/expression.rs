@@ -1,0 +1,365 @@
+use crate::curve::Axis;
+use crate::diag::{Code, Span};
+use crate::number::{Field, Rational, Real};
+use crate::sweep::{Domain, Expander, Form, Scalar};
+use crate::syntax::ast::{Expr, ExprKind, Name, Reference, Sign};
+
+use super::lowerer::{Lowered, Lowerer, Meaning, RESERVED, Reported, parameter_of};
+use super::scope::{Binding, Scope};
+use super::value::Value;
+
+impl<'a> Lowerer<'a> {
+    /// The value of an expression where it stands.
+    pub(super) fn value(&mut self, expr: &'a Expr, scope: &Scope<'a>) -> Lowered<Value> {
+        self.descend(scope, expr.span, |own| own.value_of_kind(expr, scope))
+    }
+
+    fn value_of_kind(&mut self, expr: &'a Expr, scope: &Scope<'a>) -> Lowered<Value> {
+        match &expr.kind {
+            ExprKind::Number(text) => self.literal(text, expr.span, scope),
+            ExprKind::Text(_) => {
+                let finding = self.finding(scope, Code::E0106, expr.span, "a string is no value");
+                Err(self.report(finding.help("strings name files and branches")))
+            }
+            ExprKind::Sum(terms) => self.sum(expr, terms, scope),
+            ExprKind::Product(factors) => self.product(expr.span, factors, scope),
+            ExprKind::Negate(inner) => {
+                let inner = self.value(inner, scope)?;
+                let site = scope.site(expr.span);
+                Ok(inner.map(|own| Scalar::negated(site, own)))
+            }
+            ExprKind::Power(base, exponent) => match super::product::split(base) {
+                Some(_) if !self.is_application(base, scope) => {
+                    self.product(expr.span, super::product::one(expr), scope)
+                }
+                _ => self.power(expr.span, base, exponent, scope),
+            },
+            ExprKind::Reference(reference) => self.reference(reference, scope),
+            ExprKind::Apply { function, arguments, parenthesis } => {
+                if self.applies(function, scope) {
+                    self.apply(expr.span, function, arguments, *parenthesis, scope)
+                } else {
+                    self.product(expr.span, super::product::one(expr), scope)
+                }
+            }
+            ExprKind::Component(base, name) => {
+                if super::product::split(base).is_some() && !self.is_application(base, scope) {
+                    return self.product(expr.span, super::product::one(expr), scope);
+                }
+                let base = self.value(base, scope)?;
+                self.component(&base, name, scope)
+            }
+            ExprKind::Tuple(entries) => self.tuple(expr.span, entries, scope),
+            ExprKind::List(_) => {
+                let finding = self.finding(scope, Code::E0106, expr.span, "a list is no value");
+                Err(self.report(finding.help("lists are arguments of `bezier` and other curve constructors")))
+            }
+            ExprKind::Group(inner) => self.value(inner, scope),
+        }
+    }
+
+    /// The scalar that an expression is.
+    pub(super) fn scalar(&mut self, expr: &'a Expr, scope: &Scope<'a>) -> Lowered<Scalar> {
+        match self.value(expr, scope)? {
+            Value::Scalar(own) => Ok(own),
+            other => {
+                let message = format!("a scalar is needed here, this is {}", other.type_name());
+                let finding = self.finding(scope, Code::E0106, expr.span, message);
+                Err(self.report(finding))
+            }
+        }
+    }
+
+    /// The vector that an expression is.
+    pub(super) fn vector(&mut self, expr: &'a Expr, scope: &Scope<'a>) -> Lowered<[Scalar; 3]> {
+        match self.value(expr, scope)? {
+            Value::Vector(own) => Ok(own),
+            other => {
+                let message = format!("a vector is needed here, this is {}", other.type_name());
+                let finding = self.finding(scope, Code::E0106, expr.span, message);
+                Err(self.report(finding))
+            }
+        }
+    }
+
+    /// The number that a scalar is.
+    pub(super) fn number(&mut self, scalar: &Scalar, scope: &Scope<'_>) -> Lowered<Real> {
+        if let Some(number) = scalar.as_number() {
+            return Ok(number.clone());
+        }
+        let domain = Domain::unit();
+        let limits = self.sources.limits;
+        match Expander::new(&domain, limits).constant(scalar) {
+            Ok(Some(number)) => Ok(number),
+            Ok(None) => {
+                let finding = self.finding(scope, Code::E0108, scalar.span(), "a constant is needed here");
+                Err(self.report(finding.label("this depends on u or v")))
+            }
+            Err(finding) => Err(self.report(*finding)),
+        }
+    }
+
+    fn literal(&mut self, text: &str, span: Span, scope: &Scope<'_>) -> Lowered<Value> {
+        let limit = self.sources.limits.exponent;
+        match Rational::from_literal(text, limit) {
+            Some(number) => Ok(Value::Scalar(Scalar::constant(scope.site(span), Real::from(number)))),
+            None => {
+                let message = format!("the exponent of this number exceeds {limit}");
+                let finding = self.finding(scope, Code::E0504, span, message);
+                Err(self.report(finding.help("raise the limit with `--max-exponent`")))
+            }
+        }
+    }
+
+    fn sum(&mut self, expr: &'a Expr, terms: &'a [(Sign, Expr)], scope: &Scope<'a>) -> Lowered<Value> {
+        let mut values = Vec::with_capacity(terms.len());
+        let mut failed = None;
+        for (sign, term) in terms {
+            match self.value(term, scope) {
+                Ok(value) => values.push(match sign {
+                    Sign::Plus => value,
+                    Sign::Minus => {
+                        let site = scope.site(term.span);
+                        value.map(|own| Scalar::negated(site, own))
+                    }
+                }),
+                Err(reported) => failed = Some(reported),
+            }
+        }
+        if let Some(reported) = failed {
+            return Err(reported);
+        }
+        if let Some(sum) = Value::sum(scope.site(expr.span), &values) {
+            return Ok(sum);
+        }
+        let first = &values[0];
+        let differs = |own: &Value| std::mem::discriminant(own) != std::mem::discriminant(first);
+        let index = values.iter().position(differs).unwrap_or(0);
+        let (kind, other) = (first.type_name(), values[index].type_name());
+        let (start, at) = (terms[0].1.span, terms[index].1.span);
+        let message = if index == 0 {
+            "matrices are not added".to_owned()
+        } else {
+            format!("{other} is added to {kind}")
+        };
+        let finding = self.finding(scope, Code::E0106, at, message).label(format!("this is {other}"));
+        let finding = if index == 0 || scope.frame.is_some() {
+            finding
+        } else {
+            finding.related(start, format!("this is {kind}"))
+        };
+        Err(self.report(finding))
+    }
+
+    pub(super) fn power(&mut self, span: Span, base: &'a Expr, exponent: &'a Expr, scope: &Scope<'a>) -> Lowered<Value> {
+        let value = self.value(base, scope)?;
+        self.power_of(span, base.span, value, exponent, scope)
+    }
+
+    pub(super) fn power_of(&mut self, span: Span, at: Span, value: Value, exponent: &'a Expr, scope: &Scope<'a>) -> Lowered<Value> {
+        let exponent = self.exponent(exponent, scope)?;
+        let Value::Scalar(base_scalar) = value else {
+            let message = format!("only a scalar has powers, this is {}", value.type_name());
+            let finding = self.finding(scope, Code::E0106, at, message);
+            return Err(self.report(finding.help("the square of a vector is `norm2(…)`")));
+        };
+        if let Some(number) = base_scalar.as_number() {
+            let limit = self.sources.limits.bits;
+            if number.is_zero() && exponent < 0 {
+                let finding = self.finding(scope, Code::E0207, span, "division by zero");
+                return Err(self.report(finding.label("zero to a negative power")));
+            }
+            if number.bits().saturating_mul(exponent.unsigned_abs()) > limit {
+                let finding = self.finding(scope, Code::E0507, span, format!("this number has more than {limit} bits"));
+                return Err(self.report(finding.help("raise the limit with `--max-bits`")));
+            }
+        }
+        Ok(Value::Scalar(Scalar::power(scope.site(span), base_scalar, exponent)))
+    }
+
+    fn exponent(&mut self, expr: &'a Expr, scope: &Scope<'a>) -> Lowered<i64> {
+        let scalar = self.scalar(expr, scope)?;
+        let number = self.number(&scalar, scope)?;
+        let limit = self.sources.limits.exponent;
+        match number.to_i64() {
+            Some(exponent) if exponent.unsigned_abs() <= u64::from(limit) => Ok(exponent),
+            None if !number.is_integer() => {
+                let message = format!("the exponent {number} is not an integer");
+                let finding = self.finding(scope, Code::E0009, expr.span, message);
+                Err(self.report(finding.help("write `sqrt(…)` for a square root")))
+            }
+            _ => {
+                let finding = self.finding(scope, Code::E0504, expr.span, format!("this exponent exceeds {limit}"));
+                Err(self.report(finding.help("raise the limit with `--max-exponent`")))
+            }
+        }
+    }
+
+    fn tuple(&mut self, span: Span, entries: &'a [Expr], scope: &Scope<'a>) -> Lowered<Value> {
+        let values = entries
+            .iter()
+            .map(|entry| self.scalar(entry, scope))
+            .collect::<Vec<_>>()
+            .into_iter()
+            .collect::<Lowered<Vec<Scalar>>>()?;
+        self.tuple_of(span, values, scope)
+    }
+
+    pub(super) fn tuple_of(&mut self, span: Span, values: Vec<Scalar>, scope: &Scope<'a>) -> Lowered<Value> {
+        match <[Scalar; 3]>::try_from(values) {
+            Ok(vector) => Ok(Value::Vector(vector)),
+            Err(values) => match <[Scalar; 2]>::try_from(values) {
+                Ok(pair) => Ok(Value::Pair(pair)),
+                Err(values) => {
+                    let message = format!("{} entries: a pair has two, a vector three", values.len());
+                    let finding = self.finding(scope, Code::E0106, span, message);
+                    Err(self.report(finding))
+                }
+            },
+        }
+    }
+
+    /// `a.x` of a value.
+    pub(super) fn component(&mut self, base: &Value, name: &Name, scope: &Scope<'_>) -> Lowered<Value> {
+        let index = match name.text.as_str() {
+            "x" => Some(Axis::X),
+            "y" => Some(Axis::Y),
+            "z" => Some(Axis::Z),
+            _ => None,
+        };
+        let components = base.components();
+        match index.and_then(|axis| components.get(axis.index())) {
+            Some(own) if matches!(base, Value::Pair(_) | Value::Vector(_)) => Ok(Value::Scalar(own.clone())),
+            _ => {
+                let message = format!("{} has no component `{}`", base.type_name(), name.text);
+                let finding = self.finding(scope, Code::E0111, name.span, message);
+                Err(self.report(finding.help("a vector has the components x, y and z, a pair x and y")))
+            }
+        }
+    }
+
+    /// A name without a parenthesis.
+    pub(super) fn reference(&mut self, reference: &'a Reference, scope: &Scope<'a>) -> Lowered<Value> {
+        let name = &reference.name;
+        if let Some(qualifier) = &reference.qualifier {
+            if let Ok(curve) = self.curve_named(qualifier, scope) {
+                let parameter = curve.parameter();
+                let help = format!("write `{}({parameter})`", self.sources.map.slice(reference.span));
+                let message = format!("`{}` of a curve needs an argument", name.text);
+                let finding = self.finding(scope, Code::E0107, reference.span, message);
+                return Err(self.report(finding.help(help)));
+            }
+            let base = self.named_value(qualifier, scope)?;
+            return self.component(&base, name, scope);
+        }
+        if reference.primes > 0 {
+            let message = format!("`{}` needs an argument after its prime", name.text);
+            let finding = self.finding(scope, Code::E0107, reference.span, message);
+            return Err(self.report(finding));
+        }
+        self.named_value(name, scope)
+    }
+
+    /// The value that a name stands for: a constant, a parameter, a unit vector, or a function at
+    /// its own parameters.
+    fn named_value(&mut self, name: &Name, scope: &Scope<'a>) -> Lowered<Value> {
+        match self.binding(name, scope)? {
+            Some(Binding::Value(value)) => return Ok(value),
+            Some(Binding::Function(function)) => return self.bare_function(&function.parameters, &function.value, name, scope),
+            Some(Binding::Curve(curve)) => return Err(self.report_bare_curve(name, curve.parameter(), scope)),
+            _ => {}
+        }
+        if let Some(parameter) = parameter_of(&name.text) {
+            if scope.allows(parameter) {
+                return Ok(Value::Scalar(Scalar::new(scope.site(name.span), Form::Parameter(parameter))));
+            }
+            let message = format!("`{}` is not a parameter here", name.text);
+            let finding = self.finding(scope, Code::E0109, name.span, message);
+            let help = match (scope.u, scope.v) {
+                (false, false) => "a constant is needed here",
+                (true, _) => "only `u` may be used here",
+                (_, true) => "only `v` may be used here",
+            };
+            return Err(self.report(finding.help(help)));
+        }
+        if let Some(axis) = ["i", "j", "k"].iter().position(|own| *own == name.text) {
+            let site = scope.site(name.span);
+            let component = |index: usize| Scalar::constant(site, Real::from(i64::from(index == axis)));
+            return Ok(Value::Vector([component(0), component(1), component(2)]));
+        }
+        if RESERVED.contains(&name.text.as_str()) {
+            let message = format!("`{}` is a property of curves and needs an argument", name.text);
+            let finding = self.finding(scope, Code::E0107, name.span, message);
+            return Err(self.report(finding.help(format!("write `{0}(u)`, `{0}(v)` or `c.{0}(v)`", name.text))));
+        }
+        if !self.definitions.contains_key(name.text.as_str()) {
+            return Err(self.report_unknown(name, scope));
+        }
+        match self.definitions[name.text.as_str()].form {
+            super::definition::DefinitionForm::Construction { .. } => {
+                let finding = self.finding(scope, Code::E0107, name.span, format!("the construction `{}` needs its arguments", name.text));
+                return Err(self.report(finding));
+            }
+            super::definition::DefinitionForm::Surface { .. } => {
+                let finding = self.finding(scope, Code::E0107, name.span, format!("the surface `{}` needs its arguments", name.text));
+                return Err(self.report(finding.help(format!("write `{}(u, v)`", name.text))));
+            }
+            _ => {}
+        }
+        match self.meaning(name, scope)? {
+            Meaning::Constant(value) => {
+                let site = scope.site(name.span);
+                Ok(value.map(|own| Scalar::new(site, own.form().clone())))
+            }
+            Meaning::Function(function) => self.bare_function(&function.parameters, &function.value, name, scope),
+            Meaning::Curve(curve) => Err(self.report_bare_curve(name, curve.parameter(), scope)),
+            Meaning::Surface(_) | Meaning::InProgress | Meaning::Failed => Err(Reported),
+        }
+    }
+
+    fn bare_function(&mut self, parameters: &[crate::curve::Parameter], value: &Value, name: &Name, scope: &Scope<'_>) -> Lowered<Value> {
+        match parameters.iter().find(|parameter| !scope.allows(**parameter)) {
+            None => Ok(value.clone()),
+            Some(missing) => {
+                let message = format!("`{}` depends on `{missing}`, which is not a parameter here", name.text);
+                let finding = self.finding(scope, Code::E0109, name.span, message);
+                Err(self.report(finding))
+            }
+        }
+    }
+
+    fn report_bare_curve(&mut self, name: &Name, parameter: crate::curve::Parameter, scope: &Scope<'_>) -> Reported {
+        let message = format!("the curve `{}` needs an argument", name.text);
+        let finding = self.finding(scope, Code::E0107, name.span, message);
+        self.report(finding.fix(name.span, format!("{}({parameter})", name.text)).help("give the parameter"))
+    }
+
+    /// Reports a name that nothing declares, with the nearest spelling that is declared.
+    pub(super) fn report_unknown(&mut self, name: &Name, scope: &Scope<'_>) -> Reported {
+        if self.broken.contains(&name.text.as_str()) {
+            return Reported;
+        }
+        let finding = self.finding(scope, Code::E0101, name.span, format!("`{}` is not declared", name.text));
+        let finding = match self.nearest(&name.text, scope) {
+            Some(near) => finding.help(format!("did you mean `{near}`?")).fix(name.span, near),
+            None => finding,
+        };
+        self.report(finding)
+    }
+
+    fn nearest(&self, name: &str, scope: &Scope<'_>) -> Option<String> {
+        let local = scope.frame.as_ref().map(|frame| frame.bindings.borrow().keys().cloned().collect::<Vec<_>>());
+        let declared = self.definitions.keys().map(|own| (*own).to_owned());
+        let built_in = super::call::BUILT_IN.iter().map(|own| (*own).to_owned());
+        let limit = name.chars().count().div_ceil(3);
+        local
+            .unwrap_or_default()
+            .into_iter()
+            .chain(declared)
+            .chain(built_in)
+            .map(|own| (strsim::damerau_levenshtein(name, &own), own))
+            .filter(|(distance, _)| *distance <= limit)
+            .min()
+            .map(|(_, own)| own)
+    }
+}

@@ -1,0 +1,403 @@
+use std::collections::HashMap;
+use std::rc::Rc;
+
+use crate::curve::{Curve, Parameter};
+use crate::diag::{Code, Diagnostic, Diagnostics, FileId, Limits, SourceMap, Span};
+use crate::number::{Real, Unit};
+use crate::sweep::SweptSurface;
+use crate::syntax::ast::{Declaration, Document, Expr, Item, Name, Role};
+
+use super::definition::{Definition, DefinitionForm};
+use super::scope::{Function, Scope};
+use super::value::Value;
+use super::Program;
+
+/// The names that the language keeps for properties, parameters and unit vectors.
+pub(super) const RESERVED: [&str; 14] = [
+    "x", "y", "z", "σ", "s", "t", "n", "κ", "ρ", "u", "v", "i", "j", "k",
+];
+
+/// A finding that has been reported already.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Reported;
+
+pub(super) type Lowered<T> = Result<T, Reported>;
+
+/// What a compilation starts from.
+#[derive(Debug)]
+pub struct Sources<'a> {
+    /// The texts, for messages.
+    pub map: &'a SourceMap,
+    /// The root file first, then its imports.
+    pub documents: &'a [Document],
+    /// The standard library.
+    pub library: &'a [Document],
+    /// Values that replace those of `param` declarations.
+    pub overrides: &'a HashMap<String, Real>,
+    /// What the input may ask for.
+    pub limits: &'a Limits,
+}
+
+/// Resolves names and types; what is sound goes into the program, every finding into the list.
+#[must_use]
+pub fn lower(sources: &Sources<'_>, diagnostics: &mut Diagnostics) -> Program {
+    let mut lowerer = Lowerer::new(sources);
+    lowerer.declare();
+    let program = lowerer.program();
+    diagnostics.extend(lowerer.diagnostics);
+    program
+}
+
+/// The meaning of a declared name, once it has been asked for.
+#[derive(Debug, Clone)]
+pub(super) enum Meaning {
+    InProgress,
+    Failed,
+    Constant(Value),
+    Function(Rc<Function>),
+    Curve(Rc<Curve>),
+    Surface(Rc<SweptSurface>),
+}
+
+/// The work of [`lower`]: definitions by name, and their meanings as far as they are known.
+pub(super) struct Lowerer<'a> {
+    pub(super) sources: &'a Sources<'a>,
+    pub(super) definitions: HashMap<&'a str, Definition<'a>>,
+    pub(super) meanings: HashMap<&'a str, Meaning>,
+    /// Names that are being worked out, outermost first.
+    pub(super) pending: Vec<&'a Name>,
+    pub(super) diagnostics: Diagnostics,
+    /// How deep the expression under work is nested.
+    pub(super) depth: usize,
+    /// Surfaces that the expectation under work mentions.
+    pub(super) mentioned: Vec<String>,
+    /// Curves whose cusps have been reported.
+    pub(super) cusps_reported: Vec<String>,
+    /// Names whose declarations could not be parsed; their uses are not reported.
+    pub(super) broken: Vec<&'a str>,
+}
+
+impl<'a> Lowerer<'a> {
+    fn new(sources: &'a Sources<'a>) -> Self {
+        Self {
+            sources,
+            definitions: HashMap::new(),
+            meanings: HashMap::new(),
+            pending: Vec::new(),
+            diagnostics: Diagnostics::default(),
+            depth: 0,
+            mentioned: Vec::new(),
+            cusps_reported: Vec::new(),
+            broken: sources.documents.iter().flat_map(|own| &own.broken).map(|own| own.text.as_str()).collect(),
+        }
+    }
+
+    /// Reports a finding.
+    pub(super) fn report(&mut self, diagnostic: Diagnostic) -> Reported {
+        self.diagnostics.push(diagnostic);
+        Reported
+    }
+
+    /// A finding about an expression; inside a construction it stands where that is used.
+    pub(super) fn finding(&self, scope: &Scope<'_>, code: Code, span: Span, message: impl Into<String>) -> Diagnostic {
+        let site = scope.site(span);
+        let finding = Diagnostic::new(code, site, message);
+        match &scope.frame {
+            Some(frame) if site != span => {
+                let text = self.sources.map.slice(span);
+                finding.related(span, format!("`{}` needs `{text}` here", frame.construction))
+            }
+            _ => finding,
+        }
+    }
+
+    /// Enters one level of nesting.
+    pub(super) fn descend<T>(
+        &mut self,
+        scope: &Scope<'_>,
+        span: Span,
+        work: impl FnOnce(&mut Self) -> Lowered<T>,
+    ) -> Lowered<T> {
+        let limit = self.sources.limits.nesting;
+        if self.depth >= limit {
+            let message = format!("nested more than {limit} levels deep");
+            let finding = self.finding(scope, Code::E0502, span, message);
+            return Err(self.report(finding.help("raise the limit with `--max-nesting`")));
+        }
+        self.depth += 1;
+        let result = work(self);
+        self.depth -= 1;
+        result
+    }
+
+    fn declare(&mut self) {
+        for document in self.sources.library {
+            for item in &document.items {
+                self.declare_item(item, true);
+            }
+        }
+        for document in self.sources.documents {
+            for item in &document.items {
+                self.declare_item(item, false);
+            }
+        }
+    }
+
+    fn declare_item(&mut self, item: &'a Item, library: bool) {
+        let Some((name, form)) = definition_of(&item.declaration) else {
+            return;
+        };
+        if RESERVED.contains(&name.text.as_str()) {
+            let finding = Diagnostic::new(Code::E0103, name.span, format!("`{}` is reserved", name.text))
+                .label(reserved_meaning(&name.text))
+                .help("choose another name");
+            self.report(finding);
+            return;
+        }
+        let definition = Definition { name, form, library };
+        match self.definitions.get(name.text.as_str()) {
+            Some(earlier) if earlier.library => {
+                if matches!(form, DefinitionForm::Construction { .. }) {
+                    let message = format!("`{}` replaces the construction of the standard library", name.text);
+                    self.report(Diagnostic::new(Code::W1002, name.span, message));
+                }
+                self.definitions.insert(&name.text, definition);
+            }
+            Some(earlier) => {
+                let finding = Diagnostic::new(
+                    Code::E0102,
+                    name.span,
+                    format!("`{}` is declared twice", name.text),
+                );
+                let first = earlier.span();
+                self.report(finding.label("again here").related(first, "first declared here"));
+            }
+            None => {
+                self.definitions.insert(&name.text, definition);
+            }
+        }
+    }
+
+    fn program(&mut self) -> Program {
+        let Some(root) = self.sources.documents.first() else {
+            return Program::default();
+        };
+        let mut program = Program { unit: self.unit(), ..Program::default() };
+        self.check_every_definition();
+        for item in &root.items {
+            if let Declaration::Surface { name, .. } = &item.declaration {
+                program.declares_surfaces = true;
+                if let Ok(surface) = self.surface(name) {
+                    program.surfaces.push((*surface).clone());
+                }
+            }
+        }
+        for item in &root.items {
+            if let Declaration::Expect { left, relation } = &item.declaration {
+                let text = self.sources.map.slice(item.span);
+                let text = text.strip_prefix("expect").unwrap_or(text).trim().to_owned();
+                if let Ok(expectation) = self.expectation(text, item.span, left, relation.as_ref(), &program.surfaces) {
+                    program.expectations.push(expectation);
+                }
+            }
+        }
+        program
+    }
+
+    /// Works out every constant, function and curve, used or not, so that one run reports all.
+    fn check_every_definition(&mut self) {
+        let documents = self.sources.documents;
+        for item in documents.iter().flat_map(|document| &document.items) {
+            if let Some((name, form)) = definition_of(&item.declaration) {
+                let known = self.definitions.get(name.text.as_str());
+                let own = known.is_some_and(|known| known.span() == name.span);
+                if own && !matches!(form, DefinitionForm::Construction { .. } | DefinitionForm::Surface { .. }) {
+                    let _ = self.meaning(name, &Scope::constant());
+                }
+            }
+        }
+    }
+
+    fn unit(&mut self) -> Unit {
+        let mut chosen: Option<(Unit, Span)> = None;
+        let items = self.sources.documents.iter().flat_map(|document| &document.items);
+        for item in items {
+            let Declaration::Unit { name } = &item.declaration else {
+                continue;
+            };
+            let Some(unit) = Unit::from_symbol(&name.text) else {
+                let finding = Diagnostic::new(Code::E0101, name.span, format!("`{}` is not a length unit", name.text));
+                self.report(finding.help("the units are mm, cm, m and inch"));
+                continue;
+            };
+            match chosen {
+                Some((first, place)) if place.file == name.span.file || first != unit => {
+                    let finding = Diagnostic::new(Code::E0102, name.span, "the length unit is given twice");
+                    self.report(finding.related(place, "first given here"));
+                }
+                Some(_) => {}
+                None => chosen = Some((unit, name.span)),
+            }
+        }
+        chosen.map(|(unit, _)| unit).unwrap_or_default()
+    }
+
+    /// The only curve of a role in a file, or else among all files; none if there are several.
+    pub(super) fn only_curve(&self, role: Role, file: FileId) -> Result<&'a Name, usize> {
+        let of_role = |definition: &&Definition<'a>| {
+            matches!(definition.form, DefinitionForm::Curve { role: own, .. } if own == role)
+        };
+        let all: Vec<_> = self.definitions.values().filter(of_role).collect();
+        let here: Vec<_> = all.iter().filter(|own| own.span().file == file).collect();
+        match (here.as_slice(), all.as_slice()) {
+            ([only], _) => Ok(only.name),
+            ([], [only]) => Ok(only.name),
+            _ => Err(all.len()),
+        }
+    }
+
+    /// What a declared name means; it is worked out at its first use.
+    pub(super) fn meaning(&mut self, name: &Name, scope: &Scope<'a>) -> Lowered<Meaning> {
+        let Some(definition) = self.definitions.get(name.text.as_str()).copied() else {
+            return Err(Reported);
+        };
+        let key: &'a str = &definition.name.text;
+        match self.meanings.get(key) {
+            Some(Meaning::Failed) => return Err(Reported),
+            Some(Meaning::InProgress) => return Err(self.report_cycle(name, scope)),
+            Some(known) => return Ok(known.clone()),
+            None => {}
+        }
+        self.meanings.insert(key, Meaning::InProgress);
+        self.pending.push(definition.name);
+        let result = self.descend(scope, name.span, |own| own.define(&definition));
+        self.pending.pop();
+        let meaning = result.unwrap_or(Meaning::Failed);
+        self.meanings.insert(key, meaning.clone());
+        match meaning {
+            Meaning::Failed => Err(Reported),
+            known => Ok(known),
+        }
+    }
+
+    fn define(&mut self, definition: &Definition<'a>) -> Lowered<Meaning> {
+        match definition.form {
+            DefinitionForm::Constant { value, is_param } => {
+                let given = self.sources.overrides.get(&definition.name.text);
+                if let (Some(given), true) = (given, is_param) {
+                    let number = crate::sweep::Scalar::constant(value.span, given.clone());
+                    return Ok(Meaning::Constant(Value::Scalar(number)));
+                }
+                self.constant(value).map(Meaning::Constant)
+            }
+            DefinitionForm::Function { parameters, value } => {
+                let parameters = self.parameters(parameters)?;
+                let value = self.value(value, &Scope::of(&parameters))?;
+                Ok(Meaning::Function(Rc::new(Function { parameters, value })))
+            }
+            DefinitionForm::Curve { .. } => self.curve(definition).map(Meaning::Curve),
+            DefinitionForm::Surface { domain, value } => {
+                let surface = self.define_surface(definition.name, domain, value)?;
+                Ok(Meaning::Surface(Rc::new(surface)))
+            }
+            DefinitionForm::Construction { .. } => Err(Reported),
+        }
+    }
+
+    /// A constant expression, of any type.
+    pub(super) fn constant(&mut self, value: &'a Expr) -> Lowered<Value> {
+        let lowered = self.value(value, &Scope::constant())?;
+        let numbers = lowered
+            .components()
+            .iter()
+            .map(|own| self.number(own, &Scope::constant()))
+            .collect::<Lowered<Vec<Real>>>()?;
+        let mut numbers = numbers.into_iter();
+        Ok(lowered.map(|own| match numbers.next() {
+            Some(number) => crate::sweep::Scalar::constant(value.span, number),
+            None => own.clone(),
+        }))
+    }
+
+    fn parameters(&mut self, names: &[Name]) -> Lowered<Vec<Parameter>> {
+        let mut parameters = Vec::new();
+        for name in names {
+            match parameter_of(&name.text) {
+                Some(parameter) if !parameters.contains(&parameter) => parameters.push(parameter),
+                _ => {
+                    let message = format!("a function takes `u`, `v` or both, not `{}`", name.text);
+                    return Err(self.report(Diagnostic::new(Code::E0109, name.span, message)));
+                }
+            }
+        }
+        Ok(parameters)
+    }
+
+    fn report_cycle(&mut self, name: &Name, scope: &Scope<'_>) -> Reported {
+        let start = self.pending.iter().position(|own| own.text == name.text).unwrap_or(0);
+        let cycle: Vec<&str> = self.pending[start..].iter().map(|own| own.text.as_str()).collect();
+        let message = match cycle.as_slice() {
+            [only] => format!("`{only}` is defined by itself"),
+            _ => format!("these definitions need each other: {} → {}", cycle.join(" → "), name.text),
+        };
+        let mut finding = self.finding(scope, Code::E0104, name.span, message);
+        for own in &self.pending[start..] {
+            finding = finding.related(own.span, format!("`{}` is defined here", own.text));
+        }
+        self.report(finding)
+    }
+}
+
+/// u or v, by name.
+pub(super) fn parameter_of(name: &str) -> Option<Parameter> {
+    match name {
+        "u" => Some(Parameter::U),
+        "v" => Some(Parameter::V),
+        _ => None,
+    }
+}
+
+fn reserved_meaning(name: &str) -> &'static str {
+    match name {
+        "u" | "v" => "this is a parameter of curves and surfaces",
+        "i" | "j" | "k" => "this is a unit vector",
+        "x" | "y" | "z" => "this is a coordinate of a curve",
+        "σ" => "this is the parametric speed of a curve",
+        "s" => "this is the arc length of a curve",
+        "t" => "this is the unit tangent of a curve",
+        "n" => "this is the unit normal of a curve",
+        "κ" => "this is the curvature of a curve",
+        _ => "this is the radius of curvature of a curve",
+    }
+}
+
+fn definition_of(declaration: &Declaration) -> Option<(&Name, DefinitionForm<'_>)> {
+    match declaration {
+        Declaration::Param { name, value } => Some((name, DefinitionForm::Constant { value, is_param: true })),
+        Declaration::Let { name, parameters, value } if parameters.is_empty() => {
+            Some((name, DefinitionForm::Constant { value, is_param: false }))
+        }
+        Declaration::Let { name, parameters, value } => {
+            Some((name, DefinitionForm::Function { parameters, value }))
+        }
+        Declaration::Curve { role, name, parameter, plane, domain, value } => Some((
+            name,
+            DefinitionForm::Curve {
+                role: *role,
+                parameter,
+                plane: plane.map(|(plane, _)| plane),
+                domain: domain.as_ref(),
+                value,
+            },
+        )),
+        Declaration::Construction { name, parameters, body, bindings } => Some((
+            name,
+            DefinitionForm::Construction { parameters, body, bindings },
+        )),
+        Declaration::Surface { name, domain, value } => Some((
+            name,
+            DefinitionForm::Surface { domain: domain.as_ref(), value },
+        )),
+        Declaration::Expect { .. } | Declaration::Import { .. } | Declaration::Unit { .. } => None,
+    }
+}

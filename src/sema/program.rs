@@ -1,0 +1,15 @@
+use crate::number::Unit;
+use crate::sweep::{Expectation, SweptSurface};
+
+/// What a file asks for: surfaces, and claims about them.
+#[derive(Debug, Clone, Default)]
+pub struct Program {
+    /// The length unit.
+    pub unit: Unit,
+    /// The surfaces of the root file, in the order of the text. Those with errors are missing.
+    pub surfaces: Vec<SweptSurface>,
+    /// The expectations of the root file.
+    pub expectations: Vec<Expectation>,
+    /// Whether the root file declares a surface at all, sound or not.
+    pub declares_surfaces: bool,
+}

@@ -1,0 +1,150 @@
+use std::rc::Rc;
+
+use crate::curve::{Axis, Curve, Parameter, Property};
+use crate::diag::{Code, Diagnostic, Span};
+use crate::sweep::{CurveProperty, Form, Scalar};
+use crate::syntax::ast::{Argument, Reference, Role};
+
+use super::lowerer::{Lowered, Lowerer, Reported};
+use super::scope::Scope;
+use super::value::Value;
+
+/// A property of curves by its name: a scalar, or three coordinates.
+enum Named {
+    Scalar(Property),
+    Vector(fn(Axis) -> Property),
+}
+
+fn named(name: &str) -> Option<Named> {
+    Some(match name {
+        "x" => Named::Scalar(Property::Position(Axis::X)),
+        "y" => Named::Scalar(Property::Position(Axis::Y)),
+        "z" => Named::Scalar(Property::Position(Axis::Z)),
+        "σ" => Named::Scalar(Property::Speed),
+        "s" => Named::Scalar(Property::ArcLength),
+        "κ" => Named::Scalar(Property::Curvature),
+        "ρ" => Named::Scalar(Property::RadiusOfCurvature),
+        "t" => Named::Vector(Property::Tangent),
+        "n" => Named::Vector(Property::Normal),
+        _ => return None,
+    })
+}
+
+impl<'a> Lowerer<'a> {
+    /// `c(E)`, `c'(E)`: the position or a derivative of it.
+    pub(super) fn position(&mut self, curve: &Rc<Curve>, primes: u32, at: Scalar, span: Span, scope: &Scope<'_>) -> Lowered<Value> {
+        let [x, y, z] = Axis::ALL.map(|axis| {
+            self.atom(curve, Property::Position(axis), primes, &at, span, scope)
+        });
+        Ok(Value::Vector([x?, y?, z?]))
+    }
+
+    /// `c.σ(E)` and its like.
+    pub(super) fn property(&mut self, curve: &Rc<Curve>, function: &Reference, at: Scalar, span: Span, scope: &Scope<'_>) -> Lowered<Value> {
+        match named(&function.name.text) {
+            Some(Named::Scalar(property)) => self
+                .atom(curve, property, function.primes, &at, span, scope)
+                .map(Value::Scalar),
+            Some(Named::Vector(property)) => {
+                let [x, y, z] = Axis::ALL.map(|axis| self.atom(curve, property(axis), function.primes, &at, span, scope));
+                Ok(Value::Vector([x?, y?, z?]))
+            }
+            None => Err(self.report_property(function, scope)),
+        }
+    }
+
+    fn report_property(&mut self, function: &Reference, scope: &Scope<'_>) -> Reported {
+        let name = &function.name;
+        let finding = if ["f", "g", "e2", "e3"].contains(&name.text.as_str()) {
+            let message = format!("the frame vector `{}` is not in this version", name.text);
+            self.finding(scope, Code::E0110, name.span, message)
+        } else {
+            let message = format!("a curve has no property `{}`", name.text);
+            let help = "the properties are x, y, z, σ, s, t, n, κ and ρ";
+            self.finding(scope, Code::E0111, name.span, message).help(help)
+        };
+        self.report(finding)
+    }
+
+    /// A property without its curve's name: that of the only profile for a function of u, of the
+    /// only sweep curve for a function of v.
+    pub(super) fn bare_property(&mut self, span: Span, function: &'a Reference, arguments: &'a [Argument], parenthesis: Span, scope: &Scope<'a>) -> Lowered<Value> {
+        let at = self.argument(&function.name, arguments, parenthesis, scope)?;
+        let text = self.sources.map.slice(function.span).to_owned();
+        let qualified = |curve: &str| format!("`{curve}.{text}(…)`");
+        if scope.frame.is_some() {
+            let message = format!("inside a construction `{text}` needs its curve's name");
+            let finding = self.finding(scope, Code::E0105, function.span, message);
+            return Err(self.report(finding.help(format!("write {}", qualified("c")))));
+        }
+        let role = match (at.depends_on(Parameter::U), at.depends_on(Parameter::V)) {
+            (true, false) => Role::Profile,
+            (false, true) => Role::Sweep,
+            (mixed, _) => {
+                let why = if mixed { "depends on u and v" } else { "is constant" };
+                let message = format!("the argument of `{text}` {why}: the curve must be named");
+                let finding = self.finding(scope, Code::E0105, span, message);
+                let near = self.only_curve(Role::Sweep, span.file).map_or("c", |own| own.text.as_str());
+                return Err(self.report(finding.help(format!("write {}", qualified(near)))));
+            }
+        };
+        let what = if role == Role::Profile { "profile" } else { "sweep curve" };
+        match self.only_curve(role, span.file) {
+            Ok(name) => {
+                let curve = self.curve_named(name, scope)?;
+                self.property(&curve, function, at, span, scope)
+            }
+            Err(0) => {
+                let message = format!("`{text}` needs a {what}, and the file has none");
+                let finding = self.finding(scope, Code::E0105, function.span, message);
+                Err(self.report(finding.help(format!("name the curve: {}", qualified("c")))))
+            }
+            Err(count) => {
+                let message = format!("the file has {count} {what}s: `{text}` must be named by its curve");
+                let finding = self.finding(scope, Code::E0105, function.span, message);
+                Err(self.report(finding.help(format!("write {}", qualified("c")))))
+            }
+        }
+    }
+
+    /// One property at an argument, differentiated by the curve's parameter. That the curve has
+    /// the property is checked here, where it is asked for.
+    fn atom(&mut self, curve: &Rc<Curve>, property: Property, primes: u32, at: &Scalar, span: Span, scope: &Scope<'_>) -> Lowered<Scalar> {
+        let (property, derivative) = match property {
+            Property::Position(axis) if primes > 0 => (Property::Hodograph(axis), primes - 1),
+            other => (other, primes),
+        };
+        if let Err(fault) = curve.property(property) {
+            let mut finding = self.finding(scope, fault.code(), span, fault.message(curve.name()));
+            finding.notes.extend(fault.evidence(curve.name(), curve.parameter()));
+            if let Some(help) = fault.help() {
+                finding = finding.help(help);
+            }
+            return Err(self.report(finding));
+        }
+        self.warn_of_cusps(curve, property);
+        let property = CurveProperty { curve: Rc::clone(curve), property, derivative };
+        Ok(Scalar::new(scope.site(span), Form::Property(property, at.clone())))
+    }
+
+    /// A warning for every curve whose speed is used and vanishes somewhere.
+    fn warn_of_cusps(&mut self, curve: &Curve, property: Property) {
+        if matches!(property, Property::Position(_) | Property::Hodograph(_)) {
+            return;
+        }
+        if self.cusps_reported.iter().any(|own| own == curve.name()) {
+            return;
+        }
+        self.cusps_reported.push(curve.name().to_owned());
+        let cusps = curve.cusps();
+        let Some(definition) = self.definitions.get(curve.name()).copied() else {
+            return;
+        };
+        if cusps.is_empty() {
+            return;
+        }
+        let places: Vec<String> = cusps.iter().map(|own| format!("{} = {own}", curve.parameter())).collect();
+        let message = format!("`{}` has a cusp: σ vanishes at {}", curve.name(), places.join(", "));
+        self.report(Diagnostic::new(Code::W1003, definition.span(), message));
+    }
+}

@@ -1,0 +1,132 @@
+use crate::diag::{Code, Diagnostic, Span};
+use crate::number::{Field, Real};
+use crate::poly::{
+    BiPoly, BiSquareTest, Denominator, Fraction, SquareTest, UniPoly, Zeros, sign_change,
+    square_test, square_test_bi, zeros_in_box,
+};
+
+use super::Domain;
+
+/// The square root of a rational function that is a square, not negative on the domain.
+///
+/// The function is first brought to lowest terms; then numerator and denominator are squares up
+/// to constants whose quotient is a square in the field.
+///
+/// # Errors
+///
+/// E0209 where only the square root of a number is missing in the field, E0210 where the function
+/// is not a square or the root changes sign on the domain.
+pub(super) fn square_root(
+    radicand: &Fraction<Real>,
+    domain: &Domain,
+    span: Span,
+) -> Result<Fraction<Real>, Box<Diagnostic>> {
+    let reduced = radicand.reduce();
+    if reduced.is_zero() {
+        return Ok(reduced);
+    }
+    let not_square = |what: String| {
+        Box::new(
+            Diagnostic::new(Code::E0210, span, "the square root of this is not a rational function")
+                .note(format!("it has this factor an odd number of times: {what}")),
+        )
+    };
+    let Some((scale, numerator)) = Denominator::split(reduced.numerator()) else {
+        return Ok(reduced);
+    };
+    let (top_factor, top) = root_of(&numerator).map_err(not_square)?;
+    let (bottom_factor, bottom) = root_of(reduced.denominator()).map_err(not_square)?;
+    let constant = bottom_factor.inverse().map(|inverse| scale.times(&top_factor).times(&inverse));
+    let constant = constant.unwrap_or_else(Real::zero);
+    let Some(root) = constant.square_root() else {
+        return Err(Box::new(irrational(&constant, span)));
+    };
+    let changes = [&top, &bottom].into_iter().find_map(|part| part.change_of_sign(domain));
+    if let Some(place) = changes {
+        let finding = Diagnostic::new(Code::E0210, span, "this square root changes sign on the domain");
+        return Err(Box::new(finding.note(place)));
+    }
+    let fraction = Fraction::quotient(&top.polynomial().scale(&root), &bottom.polynomial());
+    let fraction = fraction.unwrap_or(reduced);
+    Ok(if is_negative(&fraction, domain) { fraction.negated() } else { fraction })
+}
+
+/// The finding for a number whose square root the field does not hold.
+fn irrational(radicand: &Real, span: Span) -> Diagnostic {
+    if radicand.sign().is_lt() {
+        return Diagnostic::new(Code::E0210, span, "the square root of a negative number")
+            .note(format!("the number is {radicand}"));
+    }
+    Diagnostic::new(Code::E0209, span, format!("√({radicand}) is not a rational number"))
+        .help("this version computes over the rational numbers")
+}
+
+/// The roots of the factors in u, in v and in both.
+struct Root {
+    in_u: UniPoly<Real>,
+    in_v: UniPoly<Real>,
+    mixed: BiPoly<Real>,
+}
+
+impl Root {
+    fn polynomial(&self) -> BiPoly<Real> {
+        &BiPoly::product(&self.in_u, &self.in_v) * &self.mixed
+    }
+
+    /// Where one of the factors changes sign on the domain, in words.
+    fn change_of_sign(&self, domain: &Domain) -> Option<String> {
+        let [u, v] = [&domain.u, &domain.v];
+        if let Some(root) = sign_change(&self.in_u, u.start(), u.end()) {
+            return Some(format!("the sign changes at u = {root}"));
+        }
+        if let Some(root) = sign_change(&self.in_v, v.start(), v.end()) {
+            return Some(format!("the sign changes at v = {root}"));
+        }
+        if self.mixed.as_constant().is_some() {
+            return None;
+        }
+        match zeros_in_box(&self.mixed, (u.start(), u.end()), (v.start(), v.end())) {
+            Zeros::None => None,
+            Zeros::Some(_) => Some("the root vanishes on a curve in the domain".to_owned()),
+        }
+    }
+}
+
+/// c and r with c r² the polynomial, or the factor that stands in the way.
+fn root_of(polynomial: &Denominator<Real>) -> Result<(Real, Root), String> {
+    let univariate = |own: &UniPoly<Real>, variable: &str| match square_test(own) {
+        SquareTest::Square { factor, root } => Ok((factor, root)),
+        SquareTest::NotSquare { odd_part } => Err(odd_part.display(variable)),
+    };
+    let (in_u, in_v) = (
+        univariate(polynomial.in_u(), "u")?,
+        univariate(polynomial.in_v(), "v")?,
+    );
+    let mixed = match square_test_bi(polynomial.mixed()) {
+        BiSquareTest::Square { factor, root } => (factor, root),
+        BiSquareTest::NotSquare { reason } => return Err(reason),
+    };
+    let factor = in_u.0.times(&in_v.0).times(&mixed.0);
+    Ok((
+        factor,
+        Root {
+            in_u: in_u.1,
+            in_v: in_v.1,
+            mixed: mixed.1,
+        },
+    ))
+}
+
+/// The sign of a fraction that does not change sign on the domain, at the first inner point of
+/// the diagonal where it is not 0.
+fn is_negative(fraction: &Fraction<Real>, domain: &Domain) -> bool {
+    (1..)
+        .take(1_000)
+        .filter_map(|step| {
+            let (u, v) = (domain.u.fraction(step, 1_009), domain.v.fraction(step, 1_013));
+            fraction.evaluate(&u, &v)
+        })
+        .map(|value| value.sign())
+        .find(|sign| sign.is_ne())
+        .is_some_and(std::cmp::Ordering::is_lt)
+}

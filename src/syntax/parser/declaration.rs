@@ -1,0 +1,355 @@
+use nom::combinator::{cut, opt};
+use nom::multi::separated_list1;
+use nom::sequence::preceded;
+use nom::{Input, Parser};
+
+use super::expression::{expression, unquoted};
+use super::fault::{Parsed, decimal_comma, expected, told};
+use super::piece::{Brackets, bracketed, comma, keyword, name, token};
+use super::stream::{Source, Stream};
+use crate::diag::{Code, Diagnostic, Span};
+use crate::syntax::ast::{Declaration, Expr, Interval, Item, Name, Plane, Relation, Role};
+use crate::syntax::lexer::{Keyword, TokenKind, clipped};
+
+/// One declaration, from its keyword on. Every error behind the keyword is final.
+pub(super) fn declaration(input: Stream<'_>) -> Parsed<'_, Item> {
+    let TokenKind::Keyword(keyword) = input.kind() else {
+        return expected(input, "a declaration");
+    };
+    let rest = input.take_from(1);
+    let (rest, declaration) = match keyword {
+        Keyword::Param => cut(parameter).parse(rest),
+        Keyword::Let => cut(definition).parse(rest),
+        Keyword::Profile => cut(|rest| curve(Role::Profile, rest)).parse(rest),
+        Keyword::Sweep => cut(|rest| curve(Role::Sweep, rest)).parse(rest),
+        Keyword::Curve => cut(|rest| curve(Role::Further, rest)).parse(rest),
+        Keyword::Construction => cut(construction).parse(rest),
+        Keyword::Surface => cut(surface).parse(rest),
+        Keyword::Expect => cut(expectation).parse(rest),
+        Keyword::Import => cut(import).parse(rest),
+        Keyword::Unit => cut(unit).parse(rest),
+        Keyword::Where | Keyword::In | Keyword::On => expected(input, "a declaration"),
+    }?;
+    let span = input.span_until(rest);
+    Ok((rest, Item { span, declaration }))
+}
+
+/// `NAME = CONST`
+fn parameter(input: Stream<'_>) -> Parsed<'_, Declaration> {
+    let (rest, (name, _, value)) = (name, equal, expression).parse(input)?;
+    Ok((rest, Declaration::Param { name, value }))
+}
+
+/// `NAME = EXPR`, `NAME(u, v) = EXPR`
+fn definition(input: Stream<'_>) -> Parsed<'_, Declaration> {
+    let (rest, (name, parameters, _, value)) =
+        (name, opt(parameters), equal, expression).parse(input)?;
+    let declaration = Declaration::Let {
+        name,
+        parameters: parameters.unwrap_or_default(),
+        value,
+    };
+    Ok((rest, declaration))
+}
+
+/// `(p, c)`
+fn parameters(input: Stream<'_>) -> Parsed<'_, Vec<Name>> {
+    let (rest, (names, _)) = bracketed(Brackets::Round, input, |input| {
+        separated_list1(comma, cut(name)).parse(input)
+    })?;
+    Ok((rest, names))
+}
+
+/// `NAME(u) in PLANE on [a, b] = CURVE`
+fn curve(role: Role, input: Stream<'_>) -> Parsed<'_, Declaration> {
+    let (rest, (name, parameter)) = (name, curve_parameter).parse(input)?;
+    let (rest, (plane, mut domain)) = (opt(plane), opt(on_interval)).parse(rest)?;
+    let (rest, plane) = match plane {
+        Some(_) => (rest, plane),
+        None => {
+            let (after, late) = opt(plane_behind_domain).parse(rest)?;
+            (after, late)
+        }
+    };
+    let (rest, repeated) = opt(on_interval).parse(rest)?;
+    if let (Some(first), Some(second)) = (&domain, &repeated) {
+        let finding = Diagnostic::new(Code::E0006, second.span, "the domain is given twice");
+        rest.source
+            .report(finding.related(first.span, "first here"));
+    }
+    domain = domain.or(repeated);
+    let (rest, (_, value)) = (equal, expression).parse(rest)?;
+    let declaration = Declaration::Curve {
+        role,
+        name,
+        parameter,
+        plane,
+        domain,
+        value,
+    };
+    Ok((rest, declaration))
+}
+
+/// `(u)`; one name.
+fn curve_parameter(input: Stream<'_>) -> Parsed<'_, Name> {
+    if input.kind() != TokenKind::OpenParenthesis {
+        return expected(input, "the parameter of the curve, `(u)` or `(v)`");
+    }
+    let (rest, (name, _)) = bracketed(Brackets::Round, input, name)?;
+    Ok((rest, name))
+}
+
+/// `in PLANE`
+fn plane(input: Stream<'_>) -> Parsed<'_, (Plane, Span)> {
+    let (rest, _) = keyword(Keyword::In)(input)?;
+    let plane = match (rest.kind(), rest.source.written(rest.first())) {
+        (TokenKind::Name, "xy") => Plane::Xy,
+        (TokenKind::Name, "xz") => Plane::Xz,
+        (TokenKind::Name, "yz") => Plane::Yz,
+        _ => return cut(|rest| expected(rest, "a plane, `xy`, `xz` or `yz`")).parse(rest),
+    };
+    Ok((rest.take_from(1), (plane, rest.span())))
+}
+
+/// `on [a, b] in PLANE`, the wrong way round.
+fn plane_behind_domain(input: Stream<'_>) -> Parsed<'_, (Plane, Span)> {
+    let (rest, found) = plane(input)?;
+    let span = input.span_until(rest);
+    let finding = Diagnostic::new(Code::E0006, span, "the plane stands before the domain");
+    let help = "write `in` before `on`";
+    input.source.report(finding.help(help));
+    Ok((rest, found))
+}
+
+/// `on [a, b]`
+fn on_interval(input: Stream<'_>) -> Parsed<'_, Interval> {
+    preceded(keyword(Keyword::On), cut(interval)).parse(input)
+}
+
+/// `[a, b]`
+fn interval(input: Stream<'_>) -> Parsed<'_, Interval> {
+    if input.kind() == TokenKind::OpenParenthesis {
+        let finding = Diagnostic::new(Code::E0006, input.span(), "expected `[`, found `(`");
+        return told(input, finding.help("domains are closed: write `[a, b]`"));
+    }
+    let (rest, ((start, _, end), span)) = bracketed(Brackets::Square, input, |input| {
+        let (rest, ends) = (cut(expression), cut(comma), cut(expression)).parse(input)?;
+        match rest.kind() {
+            TokenKind::CloseParenthesis => {
+                let finding = Diagnostic::new(Code::E0006, rest.span(), "expected `]`, found `)`")
+                    .help("domains are closed: write `[a, b]`")
+                    .fix(rest.span(), "]");
+                told(rest, finding)
+            }
+            TokenKind::Comma => {
+                let finding = Diagnostic::new(Code::E0006, rest.span(), "a domain has two ends");
+                told(rest, finding.help("a decimal point is written `.`"))
+            }
+            _ => Ok((rest, ends)),
+        }
+    })?;
+    Ok((rest, Interval { start, end, span }))
+}
+
+/// `NAME(p, c) = EXPR where q = EXPR, …`
+fn construction(input: Stream<'_>) -> Parsed<'_, Declaration> {
+    let (rest, name) = name(input)?;
+    if rest.kind() != TokenKind::OpenParenthesis {
+        return expected(rest, "the parameters of the construction, `(p, c)`");
+    }
+    let (rest, (parameters, _, body)) = (parameters, equal, expression).parse(rest)?;
+    let bindings = preceded(
+        keyword(Keyword::Where),
+        cut(separated_list1(comma, cut(binding))),
+    );
+    let (rest, bindings) = opt(bindings).parse(rest)?;
+    let declaration = Declaration::Construction {
+        name,
+        parameters,
+        body,
+        bindings: bindings.unwrap_or_default(),
+    };
+    Ok((rest, declaration))
+}
+
+/// `q = EXPR`
+fn binding(input: Stream<'_>) -> Parsed<'_, (Name, Expr)> {
+    let (rest, name) = name(input)?;
+    if rest.kind() == TokenKind::OpenParenthesis {
+        let message = "a name behind `where` takes no parameters";
+        let finding = Diagnostic::new(Code::E0006, rest.span(), message);
+        return told(rest, finding.help(format!("write `{} = …`", name.text)));
+    }
+    let (rest, (_, value)) = (equal, expression).parse(rest)?;
+    Ok((rest, (name, value)))
+}
+
+/// `NAME on [a, b] x [c, d] = EXPR`
+fn surface(input: Stream<'_>) -> Parsed<'_, Declaration> {
+    let (rest, name) = name(input)?;
+    if rest.kind() == TokenKind::OpenParenthesis {
+        let message = "a surface has no parameter list: it is always in `u` and `v`";
+        let finding = Diagnostic::new(Code::E0006, rest.span(), message);
+        return told(
+            rest,
+            finding.help(format!("write `surface {} = …`", name.text)),
+        );
+    }
+    let domain = (on_interval, cut(times), cut(interval)).map(|(u, (), v)| (u, v));
+    let (rest, (domain, _, value)) = (opt(domain), equal, expression).parse(rest)?;
+    let declaration = Declaration::Surface {
+        name,
+        domain,
+        value,
+    };
+    Ok((rest, declaration))
+}
+
+/// `x` or `×` between two intervals.
+fn times(input: Stream<'_>) -> Parsed<'_, ()> {
+    match (input.kind(), input.source.written(input.first())) {
+        (TokenKind::Name, "x") | (TokenKind::Star, "×") => Ok((input.take_from(1), ())),
+        _ => expected(input, "`x` and the domain in `v`"),
+    }
+}
+
+/// `A == B`, `PREDICATE`
+fn expectation(input: Stream<'_>) -> Parsed<'_, Declaration> {
+    let (rest, left) = expression(input)?;
+    let (rest, relation) = opt((relation, cut(expression))).parse(rest)?;
+    Ok((rest, Declaration::Expect { left, relation }))
+}
+
+fn relation(input: Stream<'_>) -> Parsed<'_, Relation> {
+    let after = input.take_from(1);
+    let relation = match input.kind() {
+        TokenKind::DoubleEqual => Relation::Equal,
+        TokenKind::NotEqual => Relation::NotEqual,
+        TokenKind::Less => Relation::Less,
+        TokenKind::LessOrEqual => Relation::LessOrEqual,
+        TokenKind::Greater => Relation::Greater,
+        TokenKind::GreaterOrEqual => Relation::GreaterOrEqual,
+        TokenKind::Equal => {
+            let rest = match after.kind() {
+                TokenKind::Equal => after.take_from(1),
+                _ => after,
+            };
+            let span = input.span_until(rest);
+            let found = clipped(input.source.slice(span));
+            let message = format!("an expectation compares with `==`, found `{found}`");
+            let finding = Diagnostic::new(Code::E0006, span, message);
+            input
+                .source
+                .report(finding.help("write `==`").fix(span, "=="));
+            return Ok((rest, Relation::Equal));
+        }
+        _ => return expected(input, "a relation"),
+    };
+    Ok((after, relation))
+}
+
+/// `"file.sweep"`
+fn import(input: Stream<'_>) -> Parsed<'_, Declaration> {
+    let (rest, path) = unquoted(input)?;
+    let path_span = input.span();
+    Ok((rest, Declaration::Import { path, path_span }))
+}
+
+/// `mm`
+fn unit(input: Stream<'_>) -> Parsed<'_, Declaration> {
+    let (rest, _) = token(TokenKind::Name, "a unit")(input)?;
+    let name = input.source.name(input.first());
+    Ok((rest, Declaration::Unit { name }))
+}
+
+/// `=`, and `==` with an error.
+fn equal(input: Stream<'_>) -> Parsed<'_, ()> {
+    if input.kind() == TokenKind::DoubleEqual {
+        let message = "a declaration is written with `=`, found `==`";
+        let finding = Diagnostic::new(Code::E0006, input.span(), message);
+        input
+            .source
+            .report(finding.help("write `=`").fix(input.span(), "="));
+        return Ok((input.take_from(1), ()));
+    }
+    let (rest, _) = token(TokenKind::Equal, "`=`")(input)?;
+    Ok((rest, ()))
+}
+
+/// What is wrong with a token behind a complete declaration, or before the first one.
+pub(super) fn stray(input: Stream<'_>) -> Option<Diagnostic> {
+    use TokenKind::*;
+    let source = input.source;
+    let found = source.described(input.first());
+    let unexpected = |message: String| Diagnostic::new(Code::E0006, input.span(), message);
+    if input.kind() != Unknown
+        && let Some((index, keyword)) = misspelt_keyword(input)
+    {
+        return Some(misspelt(source, index, keyword));
+    }
+    let missing = "every declaration begins with a keyword; a constant with `let`";
+    let help = match input.kind() {
+        Unknown => return None,
+        Comma => match decimal_comma(source, input.at) {
+            Some(finding) => return Some(finding),
+            None => "a point is written `(a, b)`",
+        },
+        CloseParenthesis | CloseBracket => {
+            return Some(unexpected(format!("{found} closes nothing")));
+        }
+        Equal => missing,
+        DoubleEqual | NotEqual | Less | LessOrEqual | Greater | GreaterOrEqual => {
+            "one relation stands in an `expect`, and nowhere else"
+        }
+        Keyword(self::Keyword::Where) => "only a `construction` takes `where`, once",
+        Keyword(self::Keyword::In) => "`in` stands before the `=` of a curve",
+        Keyword(self::Keyword::On) => "`on` stands before the `=`",
+        OpenBracket => "a list stands only as an argument of a curve",
+        Text => "a string stands only as an argument and behind `import`",
+        Dot if source.kind(input.at + 1) == Number => "a number begins with a digit: `0.5`",
+        Name => {
+            let message = format!("expected a declaration, found {found}");
+            return Some(unexpected(message).help(missing));
+        }
+        _ => return Some(unexpected(format!("unexpected {found}"))),
+    };
+    Some(unexpected(format!("unexpected {found}")).help(help))
+}
+
+/// The first word of the line of a token, if it is nearly a keyword, with that keyword.
+pub(super) fn misspelt_keyword(input: Stream<'_>) -> Option<(usize, Keyword)> {
+    let source = input.source;
+    let offset = input.span().start as usize;
+    let before = source.text.get(..offset).unwrap_or_default();
+    let line = before.rfind(['\n', '\r']).map_or(0, |end| end + 1);
+    let begin = source
+        .tokens
+        .partition_point(|token| (token.start as usize) < line);
+    Some((begin, nearly_keyword(source, begin)?))
+}
+
+/// The keyword that a name followed by a name or a string was probably meant to be.
+pub(super) fn nearly_keyword(source: &Source<'_>, index: usize) -> Option<Keyword> {
+    let word = source.written(source.token(index));
+    let is_word = source.kind(index) == TokenKind::Name && (3..=20).contains(&word.len());
+    if !is_word || !matches!(source.kind(index + 1), TokenKind::Name | TokenKind::Text) {
+        return None;
+    }
+    let keywords = Keyword::ALL.iter().copied();
+    keywords
+        .filter(|keyword| keyword.begins_declaration())
+        .map(|keyword| (strsim::damerau_levenshtein(word, keyword.as_str()), keyword))
+        .filter(|(distance, keyword)| *distance <= 1 + usize::from(keyword.as_str().len() > 4))
+        .min_by_key(|(distance, _)| *distance)
+        .map(|(_, keyword)| keyword)
+}
+
+/// E0006 at a misspelt keyword.
+fn misspelt(source: &Source<'_>, index: usize, keyword: Keyword) -> Diagnostic {
+    let (token, keyword) = (source.token(index), keyword.as_str());
+    let span = source.span(token);
+    let message = format!("expected a declaration, found {}", source.described(token));
+    Diagnostic::new(Code::E0006, span, message)
+        .help(format!("write `{keyword}`"))
+        .fix(span, keyword)
+}

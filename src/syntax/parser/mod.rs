@@ -1,0 +1,169 @@
+//! Tokens to tree: the second half of parsing.
+
+mod declaration;
+mod expression;
+mod fault;
+mod piece;
+mod stream;
+
+use self::declaration::{declaration, misspelt_keyword, nearly_keyword, stray};
+use self::fault::Fault;
+use self::stream::{Source, Stream};
+use super::ast::{Document, Name};
+use super::lexer::{TokenKind, tokenize};
+use crate::diag::{Diagnostic, Diagnostics, FileId, Limits};
+
+/// The tree of a text. Never fails: what cannot be read is reported, and the parser goes on at the
+/// next declaration.
+///
+/// - **errors** E0002 to E0009, E0103 (a keyword as a name), E0502, E0503; at most
+///   `limits.syntax_errors` of them, and as many warnings (W1001), in the order of the text
+/// - **cost**   linear; the stack grows with `limits.nesting` only
+///
+/// ```
+/// use sweepc::diag::{Diagnostics, FileId, Limits};
+/// let mut diagnostics = Diagnostics::default();
+/// let text = "let a = 2 )\nlet b = 2u";
+/// let document = sweepc::syntax::parse(FileId(0), text, &Limits::default(), &mut diagnostics);
+/// assert_eq!(document.items.len(), 2);
+/// assert_eq!(diagnostics.errors().count(), 1);
+/// ```
+pub fn parse(file: FileId, text: &str, limits: &Limits, diagnostics: &mut Diagnostics) -> Document {
+    let lexed = tokenize(file, text, limits);
+    let source = Source::new(file, text, &lexed.tokens, limits);
+    let mut document = Document {
+        file,
+        items: Vec::new(),
+        comments: lexed.comments,
+        broken: Vec::new(),
+    };
+    let mut input = Stream::new(&source);
+    while input.kind() != TokenKind::End {
+        input = item(input, &mut document);
+    }
+    let (mut errors, warnings) = source.into_findings();
+    errors.extend(lexed.findings);
+    diagnostics.extend(shown(errors, limits.syntax_errors));
+    diagnostics.extend(shown(warnings, limits.syntax_errors));
+    document
+}
+
+/// Reads one declaration and what stands wrongly behind it; goes on at the next declaration.
+fn item<'a>(input: Stream<'a>, document: &mut Document) -> Stream<'a> {
+    let source = input.source;
+    if !source.begins_declaration(input.at) {
+        report_stray(input);
+        return recovered(input, input.at + 1);
+    }
+    match declaration(input) {
+        Ok((rest, item)) => {
+            let rest = without_semicolons(rest);
+            if rest.kind() == TokenKind::End || source.begins_declaration(rest.at) {
+                document.items.push(item);
+                return rest;
+            }
+            match swallowed_name(rest) {
+                // the next declaration lost its keyword, and its name went into this value
+                Some(name) => document
+                    .broken
+                    .extend(declared_name(input).into_iter().chain([name])),
+                None => document.items.push(item),
+            }
+            report_stray(rest);
+            recovered(rest, rest.at)
+        }
+        Err(nom::Err::Error(fault) | nom::Err::Failure(fault)) => {
+            document.broken.extend(declared_name(input));
+            let at = fault.at().max(input.at + 1);
+            report(source, fault);
+            recovered(input, at)
+        }
+        Err(nom::Err::Incomplete(_)) => recovered(input, input.at + 1),
+    }
+}
+
+fn report(source: &Source<'_>, fault: Fault) {
+    if let Some(finding) = fault.into_finding(source) {
+        source.report(finding);
+    }
+}
+
+fn report_stray(input: Stream<'_>) {
+    if input.kind() == TokenKind::Semicolon {
+        without_semicolons(input);
+    } else if input.source.has_enough_errors() {
+        // a finding may cost a look at the whole line
+    } else if input.source.is_misused_keyword(input.at) {
+        let what = "a declaration";
+        report(input.source, Fault::Expected { at: input.at, what });
+    } else if let Some(finding) = stray(input) {
+        input.source.report(finding);
+    }
+}
+
+/// Reports a `;` and skips those that follow.
+fn without_semicolons(input: Stream<'_>) -> Stream<'_> {
+    if input.kind() != TokenKind::Semicolon {
+        return input;
+    }
+    let mut index = input.at;
+    while input.source.kind(index) == TokenKind::Semicolon {
+        index += 1;
+    }
+    let rest = input.moved_to(index);
+    let span = input.span_until(rest);
+    let message = "a declaration needs no `;`";
+    let finding = Diagnostic::new(crate::diag::Code::E0006, span, message);
+    input.source.report(finding.help("remove it").fix(span, ""));
+    rest
+}
+
+/// The first declaration from an index on, be it with a misspelt keyword at the start of a line.
+fn recovered(input: Stream<'_>, from: usize) -> Stream<'_> {
+    let source = input.source;
+    let is_boundary = |index: &usize| {
+        source.kind(*index) == TokenKind::End
+            || source.begins_declaration(*index)
+            || (source.begins_line(*index) && nearly_keyword(source, *index).is_some())
+    };
+    let next = (from..source.tokens.len()).find(is_boundary);
+    input.moved_to(next.unwrap_or(source.tokens.len()))
+}
+
+/// The name behind the keyword of a declaration.
+fn declared_name(input: Stream<'_>) -> Option<Name> {
+    let token = input.source.token(input.at + 1);
+    (token.kind == TokenKind::Name).then(|| input.source.name(token))
+}
+
+/// What a declaration without its keyword declares: `b` of `b(u) = 2u` and of `lett b = 2`.
+fn swallowed_name(input: Stream<'_>) -> Option<Name> {
+    let source = input.source;
+    if source.has_enough_errors() {
+        return None;
+    }
+    let mut index = match misspelt_keyword(input) {
+        Some((keyword, _)) => keyword + 1,
+        None if input.kind() == TokenKind::Equal => input.at.checked_sub(1)?,
+        None => return None,
+    };
+    if source.kind(index) == TokenKind::CloseParenthesis {
+        let is_opener = |index: &usize| source.kind(*index) == TokenKind::OpenParenthesis;
+        index = (0..index).rev().find(is_opener)?.checked_sub(1)?;
+    }
+    let token = source.token(index);
+    (token.kind == TokenKind::Name).then(|| source.name(token))
+}
+
+/// The first findings in the order of the text; the last of them says whether there are more.
+fn shown(mut findings: Vec<Diagnostic>, most: usize) -> Vec<Diagnostic> {
+    findings.sort_by_key(|finding| finding.primary);
+    let more = findings.len() > most;
+    findings.truncate(most);
+    if let (true, Some(last)) = (more, findings.last_mut()) {
+        last.notes.push(format!(
+            "more of this file are not shown, only the first {most}"
+        ));
+    }
+    findings
+}
