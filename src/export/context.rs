@@ -1,4 +1,4 @@
-use crate::number::Real;
+use crate::number::{Real, Unit};
 
 /// What a file says beside the net.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -40,32 +40,4 @@ pub struct Generator {
     pub name: String,
     /// Its square.
     pub square: Real,
-}
-
-/// A unit of length.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Unit {
-    /// 10⁻³ m
-    #[default]
-    Millimetre,
-    /// 10⁻² m
-    Centimetre,
-    /// 1 m
-    Metre,
-    /// 25.4 mm
-    Inch,
-}
-
-impl Unit {
-    /// The unit of a symbol: `mm`, `cm`, `m` or `inch`.
-    #[must_use]
-    pub fn from_symbol(symbol: &str) -> Option<Self> {
-        match symbol {
-            "mm" => Some(Self::Millimetre),
-            "cm" => Some(Self::Centimetre),
-            "m" => Some(Self::Metre),
-            "inch" => Some(Self::Inch),
-            _ => None,
-        }
-    }
 }

@@ -14,7 +14,7 @@ mod step;
 use crate::net::ControlNet;
 
 pub use approx::Double;
-pub use context::{Context, Generator, Unit};
+pub use context::{Context, Generator};
 pub use exported::{Exported, Fidelity};
 pub use fault::ExportFault;
 pub use rounded_net::RoundedNet;

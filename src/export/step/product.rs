@@ -3,7 +3,7 @@
 use super::Context;
 use super::entities::{Entities, Id, string};
 use super::face::Shape;
-use crate::export::Unit;
+use crate::number::Unit;
 
 /// The header: its records are filled and the time stamp is fixed, so that equal surfaces give
 /// equal files.
