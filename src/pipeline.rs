@@ -46,7 +46,12 @@ pub struct Compilation {
 
 /// Compiles parsed files, the root file first, up to checked surfaces.
 #[must_use]
-pub fn compile(sources: &mut SourceMap, documents: &[Document], options: &Options, mut diagnostics: Diagnostics) -> Compilation {
+pub fn compile(
+    sources: &mut SourceMap,
+    documents: &[Document],
+    options: &Options,
+    mut diagnostics: Diagnostics,
+) -> Compilation {
     let library = library(sources, &mut diagnostics);
     let input = sema::Sources {
         map: sources,
@@ -56,7 +61,11 @@ pub fn compile(sources: &mut SourceMap, documents: &[Document], options: &Option
         limits: &options.limits,
     };
     let program = sema::lower(&input, &mut diagnostics);
-    let mut compilation = Compilation { unit: program.unit, diagnostics, ..Compilation::default() };
+    let mut compilation = Compilation {
+        unit: program.unit,
+        diagnostics,
+        ..Compilation::default()
+    };
     compilation.check(&program, options);
     compilation.judge(&program, options);
     compilation.diagnostics.sort();
@@ -108,15 +117,20 @@ impl Compilation {
     #[must_use]
     pub fn report(&self, file: &str, sources: &SourceMap) -> Report {
         let first = self.surfaces.iter().position(Option::is_some);
-        let surfaces = self.surfaces.iter().enumerate().filter_map(|(index, surface)| {
-            let own = self.judgements.iter().filter(|judgement| {
-                let of = &judgement.expectation.surfaces;
-                of.contains(&index) || (of.is_empty() && first == Some(index))
+        let surfaces = self
+            .surfaces
+            .iter()
+            .enumerate()
+            .filter_map(|(index, surface)| {
+                let own = self.judgements.iter().filter(|judgement| {
+                    let of = &judgement.expectation.surfaces;
+                    of.contains(&index) || (of.is_empty() && first == Some(index))
+                });
+                let lined: Vec<(&Judgement, usize)> = own
+                    .map(|own| (own, sources.position(own.expectation.span).0))
+                    .collect();
+                Some(SurfaceReport::of(surface.as_ref()?, &lined))
             });
-            let lined: Vec<(&Judgement, usize)> =
-                own.map(|own| (own, sources.position(own.expectation.span).0)).collect();
-            Some(SurfaceReport::of(surface.as_ref()?, &lined))
-        });
         Report::new(file.to_owned(), surfaces.collect())
     }
 
@@ -131,7 +145,13 @@ impl Compilation {
     /// # Errors
     ///
     /// The refusal of a format that cannot carry the surface.
-    pub fn export(&self, surface: &Checked, format: &Exporter, stem: &str, options: &Options) -> Result<Exported, Box<Diagnostic>> {
+    pub fn export(
+        &self,
+        surface: &Checked,
+        format: &Exporter,
+        stem: &str,
+        options: &Options,
+    ) -> Result<Exported, Box<Diagnostic>> {
         let span = surface.definition().span;
         let (u, v) = (&surface.domain().u, &surface.domain().v);
         let net = ControlNet::bezier(
@@ -153,7 +173,11 @@ impl Compilation {
 /// The error that an expectation is which does not hold.
 fn finding(judgement: &Judgement) -> Option<Diagnostic> {
     let expectation = &judgement.expectation;
-    let text = expectation.text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let text = expectation
+        .text
+        .split_whitespace()
+        .collect::<Vec<_>>()
+        .join(" ");
     match &judgement.verdict {
         Verdict::Proven(_) => None,
         Verdict::Refuted(witness) => {

@@ -12,10 +12,16 @@ pub struct AffineDegree {
 
 /// X/W, Y/W and Z/W, each in lowest terms on its own.
 pub(super) fn affine_degrees(surface: &HomogeneousSurface) -> [AffineDegree; 3] {
-    surface.point().each_ref().map(|own| of(own, surface.weight()))
+    surface
+        .point()
+        .each_ref()
+        .map(|own| of(own, surface.weight()))
 }
 
-fn of(numerator: &BiPoly<crate::number::Real>, weight: &BiPoly<crate::number::Real>) -> AffineDegree {
+fn of(
+    numerator: &BiPoly<crate::number::Real>,
+    weight: &BiPoly<crate::number::Real>,
+) -> AffineDegree {
     let reduced = Fraction::quotient(numerator, weight).map(|own| own.reduce());
     AffineDegree {
         numerator: reduced.as_ref().and_then(|own| own.numerator().bidegree()),

@@ -117,7 +117,10 @@ impl Checked {
         if self.poles.is_empty() {
             return None;
         }
-        let message = format!("`{}` has a pole on its domain: W vanishes there", self.name());
+        let message = format!(
+            "`{}` has a pole on its domain: W vanishes there",
+            self.name()
+        );
         let mut finding = Diagnostic::new(Code::E0301, self.definition.span, message);
         for pole in &self.poles {
             finding = finding.note(format!("W = 0 at {pole}"));

@@ -31,12 +31,23 @@ pub fn judge(
     let of = |index: usize| surfaces.get(index).and_then(Option::as_ref);
     let domain = expectation.surfaces.first().and_then(|index| of(*index));
     let domain = domain.map_or_else(Domain::unit, |surface| surface.domain().clone());
-    let judge = Judge { surfaces, domain: &domain, limits };
+    let judge = Judge {
+        surfaces,
+        domain: &domain,
+        limits,
+    };
     let verdict = match &expectation.claim {
         Claim::Quality { quality, surface } => of(*surface).map(|own| self::quality(*quality, own)),
-        Claim::Comparison { left, relation, right } => Some(judge.comparison(left, *relation, right)?),
+        Claim::Comparison {
+            left,
+            relation,
+            right,
+        } => Some(judge.comparison(left, *relation, right)?),
     };
-    Ok(verdict.map(|verdict| Judgement { expectation: expectation.clone(), verdict }))
+    Ok(verdict.map(|verdict| Judgement {
+        expectation: expectation.clone(),
+        verdict,
+    }))
 }
 
 fn quality(quality: Quality, surface: &Checked) -> Verdict {
@@ -79,7 +90,10 @@ impl Judge<'_> {
     fn bidegree(&self, side: &Quantity) -> Judged<Option<[Real; 2]>> {
         let number = |own: usize| Real::from(i64::try_from(own).unwrap_or(i64::MAX));
         Ok(match side {
-            Quantity::BiDegree { surface, coordinate } => {
+            Quantity::BiDegree {
+                surface,
+                coordinate,
+            } => {
                 let surface = self.surfaces.get(*surface).and_then(Option::as_ref);
                 let degree = surface.and_then(|own| match coordinate {
                     None => Some(own.surface().bidegree()),
@@ -88,7 +102,10 @@ impl Judge<'_> {
                 degree.map(|BiDegree { u, v }| [number(u), number(v)])
             }
             Quantity::Value(parts) => match parts.as_slice() {
-                [u, v] => self.constant(u)?.zip(self.constant(v)?).map(|(u, v)| [u, v]),
+                [u, v] => self
+                    .constant(u)?
+                    .zip(self.constant(v)?)
+                    .map(|(u, v)| [u, v]),
                 _ => None,
             },
             Quantity::CommonFactor { .. } => None,
@@ -100,14 +117,28 @@ impl Judge<'_> {
     }
 
     /// Common factors are equal if they are proportional.
-    fn polynomials(&self, left: &Quantity, relation: Relation, right: &Quantity) -> Judged<Verdict> {
+    fn polynomials(
+        &self,
+        left: &Quantity,
+        relation: Relation,
+        right: &Quantity,
+    ) -> Judged<Verdict> {
         let (left, right) = (self.polynomial(left)?, self.polynomial(right)?);
         let equal = match (&left, &right) {
-            (Some(left), Some(right)) => first(left).zip(first(right)).is_some_and(|(l, r)| left.scale(&r) == right.scale(&l)),
+            (Some(left), Some(right)) => first(left)
+                .zip(first(right))
+                .is_some_and(|(l, r)| left.scale(&r) == right.scale(&l)),
             _ => false,
         };
-        let text = |own: &Option<BiPoly<Real>>| own.as_ref().map_or_else(|| "not a polynomial".to_owned(), ToString::to_string);
-        Ok(verdict(relation, equal, format!("{} and {}", text(&left), text(&right))))
+        let text = |own: &Option<BiPoly<Real>>| {
+            own.as_ref()
+                .map_or_else(|| "not a polynomial".to_owned(), ToString::to_string)
+        };
+        Ok(verdict(
+            relation,
+            equal,
+            format!("{} and {}", text(&left), text(&right)),
+        ))
     }
 
     fn polynomial(&self, side: &Quantity) -> Judged<Option<BiPoly<Real>>> {
@@ -117,9 +148,13 @@ impl Judge<'_> {
                 surface.map(|own| own.expansion().common_factor.clone())
             }
             Quantity::Value(parts) => {
-                let fraction = Expander::new(self.domain, self.limits).expand(&parts[0])?.reduce();
+                let fraction = Expander::new(self.domain, self.limits)
+                    .expand(&parts[0])?
+                    .reduce();
                 let whole = fraction.denominator().polynomial().as_constant();
-                whole.and_then(|own| own.inverse()).map(|own| fraction.numerator().scale(&own))
+                whole
+                    .and_then(|own| own.inverse())
+                    .map(|own| fraction.numerator().scale(&own))
             }
             Quantity::BiDegree { .. } => None,
         })
@@ -132,22 +167,35 @@ impl Judge<'_> {
         for (l, r) in left.iter().zip(right) {
             pairs.push((expander.expand(l)?, expander.expand(r)?));
         }
-        let constants: Option<Vec<(Real, Real)>> =
-            pairs.iter().map(|(l, r)| l.as_constant().zip(r.as_constant())).collect();
+        let constants: Option<Vec<(Real, Real)>> = pairs
+            .iter()
+            .map(|(l, r)| l.as_constant().zip(r.as_constant()))
+            .collect();
         if let Some(constants) = constants {
             let side = |pick: fn(&(Real, Real)) -> &Real| {
-                let parts: Vec<String> = constants.iter().map(|own| pick(own).to_string()).collect();
-                if parts.len() == 1 { parts[0].clone() } else { format!("({})", parts.join(", ")) }
+                let parts: Vec<String> =
+                    constants.iter().map(|own| pick(own).to_string()).collect();
+                if parts.len() == 1 {
+                    parts[0].clone()
+                } else {
+                    format!("({})", parts.join(", "))
+                }
             };
             let text = format!("{} and {}", side(|own| &own.0), side(|own| &own.1));
             let holds = match constants.as_slice() {
                 [(l, r)] => relation.holds(l.cmp(r)),
                 all => (all.iter().all(|(l, r)| l == r)) == (relation == Relation::Equal),
             };
-            return Ok(if holds { Verdict::Proven(text) } else { Verdict::Refuted(text) });
+            return Ok(if holds {
+                Verdict::Proven(text)
+            } else {
+                Verdict::Refuted(text)
+            });
         }
         if relation.is_order() {
-            return Ok(Verdict::Undecided("only numbers are ordered, a side depends on u or v".to_owned()));
+            return Ok(Verdict::Undecided(
+                "only numbers are ordered, a side depends on u or v".to_owned(),
+            ));
         }
         let equal = pairs.iter().all(|(l, r)| l.minus(r).is_zero());
         let text = if equal {
@@ -161,9 +209,14 @@ impl Judge<'_> {
     /// A point at which two sides differ.
     fn witness(&self, pairs: &[(Fraction<Real>, Fraction<Real>)]) -> String {
         for step in 1..200 {
-            let (u, v) = (self.domain.u.fraction(step, 211), self.domain.v.fraction(step * step % 223, 223));
-            let values: Option<Vec<(Real, Real)>> =
-                pairs.iter().map(|(l, r)| l.evaluate(&u, &v).zip(r.evaluate(&u, &v))).collect();
+            let (u, v) = (
+                self.domain.u.fraction(step, 211),
+                self.domain.v.fraction(step * step % 223, 223),
+            );
+            let values: Option<Vec<(Real, Real)>> = pairs
+                .iter()
+                .map(|(l, r)| l.evaluate(&u, &v).zip(r.evaluate(&u, &v)))
+                .collect();
             let Some(values) = values else { continue };
             if let Some((l, r)) = values.iter().find(|(l, r)| l != r) {
                 return format!("at (u, v) = ({u}, {v}) one side is {l}, the other {r}");
@@ -174,11 +227,18 @@ impl Judge<'_> {
 }
 
 fn verdict(relation: Relation, equal: bool, text: String) -> Verdict {
-    if equal == (relation == Relation::Equal) { Verdict::Proven(text) } else { Verdict::Refuted(text) }
+    if equal == (relation == Relation::Equal) {
+        Verdict::Proven(text)
+    } else {
+        Verdict::Refuted(text)
+    }
 }
 
 fn show(degree: &Option<[Real; 2]>) -> String {
-    degree.as_ref().map_or_else(|| "the zero polynomial".to_owned(), |[u, v]| format!("({u}, {v})"))
+    degree.as_ref().map_or_else(
+        || "the zero polynomial".to_owned(),
+        |[u, v]| format!("({u}, {v})"),
+    )
 }
 
 fn first(polynomial: &BiPoly<Real>) -> Option<Real> {

@@ -3,7 +3,10 @@ use crate::sweep::{Domain, HomogeneousSurface};
 
 /// Where W vanishes on the closed domain. The common factor is gone, so these are true poles or
 /// base points, and the list is complete.
-pub(super) fn poles(surface: &HomogeneousSurface, domain: &Domain) -> Vec<ZeroSet<crate::number::Real>> {
+pub(super) fn poles(
+    surface: &HomogeneousSurface,
+    domain: &Domain,
+) -> Vec<ZeroSet<crate::number::Real>> {
     if surface.weight().as_constant().is_some() {
         return Vec::new();
     }

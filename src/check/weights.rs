@@ -21,12 +21,18 @@ impl WeightRange {
 
 /// The range of the Bernstein coefficients of W at the bidegree of the patch; none if the first
 /// of them is 0.
-pub(super) fn weight_range(weight: &BiPoly<Real>, degree: BiDegree, domain: &Domain) -> Option<WeightRange> {
+pub(super) fn weight_range(
+    weight: &BiPoly<Real>,
+    degree: BiDegree,
+    domain: &Domain,
+) -> Option<WeightRange> {
     let mut weights = vec![Real::zero(); (degree.u + 1) * (degree.v + 1)];
     for (in_u, in_v) in weight.terms() {
         let rows = bernstein(in_u, degree.u, domain.u.start(), domain.u.end());
         let columns = bernstein(in_v, degree.v, domain.v.start(), domain.v.end());
-        let products = rows.iter().flat_map(|row| columns.iter().map(move |column| row * column));
+        let products = rows
+            .iter()
+            .flat_map(|row| columns.iter().map(move |column| row * column));
         for (sum, own) in weights.iter_mut().zip(products) {
             *sum = &*sum + &own;
         }

@@ -67,7 +67,12 @@ pub(super) struct CompileArguments {
     #[arg(short, long, value_name = "DIR")]
     pub(super) output: Option<PathBuf>,
     /// What to write: a comma-separated list of `report`, `json`, `step`
-    #[arg(long, value_delimiter = ',', default_value = "report,json,step", value_name = "LIST")]
+    #[arg(
+        long,
+        value_delimiter = ',',
+        default_value = "report,json,step",
+        value_name = "LIST"
+    )]
     pub(super) emit: Vec<String>,
     /// Write weights that differ by more than a factor of 10⁶
     #[arg(long)]

@@ -13,7 +13,8 @@ pub(super) fn run(own: &CheckArguments, arguments: &Arguments) -> Status {
             Err(status) => return status,
         };
         let diagnostics = &mut session.compilation.diagnostics;
-        if session.readable && session.compilation.surfaces.is_empty() && !diagnostics.has_errors() {
+        if session.readable && session.compilation.surfaces.is_empty() && !diagnostics.has_errors()
+        {
             let message = format!("`{}` declares no surface", file.display());
             diagnostics.push(Diagnostic::global(Code::W1007, message));
         }

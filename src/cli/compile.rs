@@ -48,15 +48,27 @@ struct Emit {
 
 impl Emit {
     fn of(words: &[String]) -> Option<Self> {
-        let mut emit = Self { report: false, formats: Vec::new() };
-        for word in words.iter().map(|own| own.trim()).filter(|own| !own.is_empty()) {
+        let mut emit = Self {
+            report: false,
+            formats: Vec::new(),
+        };
+        for word in words
+            .iter()
+            .map(|own| own.trim())
+            .filter(|own| !own.is_empty())
+        {
             match ALL.iter().find(|format| format.name == word) {
-                Some(format) if emit.formats.iter().all(|own| own.name != word) => emit.formats.push(format),
+                Some(format) if emit.formats.iter().all(|own| own.name != word) => {
+                    emit.formats.push(format)
+                }
                 Some(_) => {}
                 None if word == "report" => emit.report = true,
                 None => {
                     let names: Vec<&str> = ALL.iter().map(|format| format.name).collect();
-                    complain(&format!("`{word}` is no output format; there are: report, {}", names.join(", ")));
+                    complain(&format!(
+                        "`{word}` is no output format; there are: report, {}",
+                        names.join(", ")
+                    ));
                     return None;
                 }
             }
@@ -67,7 +79,9 @@ impl Emit {
 
 /// Errors of single surfaces spoil only their own files; any other error spoils all.
 fn keeps_files(diagnostics: &Diagnostics) -> bool {
-    diagnostics.errors().all(|own| own.code.as_str().starts_with("E03") && own.code != Code::E0303)
+    diagnostics
+        .errors()
+        .all(|own| own.code.as_str().starts_with("E03") && own.code != Code::E0303)
 }
 
 /// The files of a compilation, by name; refusals and warnings go to the findings.
@@ -100,7 +114,11 @@ fn build(session: &mut Session, own: &CompileArguments, emit: &Emit) -> Vec<(Str
 }
 
 /// Writes all files or none.
-fn write(session: &Session, own: &CompileArguments, files: Vec<(String, Vec<u8>)>) -> Result<Vec<PathBuf>, Box<Diagnostic>> {
+fn write(
+    session: &Session,
+    own: &CompileArguments,
+    files: Vec<(String, Vec<u8>)>,
+) -> Result<Vec<PathBuf>, Box<Diagnostic>> {
     if files.is_empty() {
         return Ok(Vec::new());
     }
@@ -119,9 +137,13 @@ fn write(session: &Session, own: &CompileArguments, files: Vec<(String, Vec<u8>)
             let message = format!("`{}` is an input of this compilation", path.display());
             return Err(Box::new(Diagnostic::global(Code::E0602, message)));
         }
-        staged.add(path.clone(), &bytes).map_err(|error| failed(&path, &error))?;
+        staged
+            .add(path.clone(), &bytes)
+            .map_err(|error| failed(&path, &error))?;
     }
-    staged.commit().map_err(|(path, error)| failed(&path, &error))
+    staged
+        .commit()
+        .map_err(|(path, error)| failed(&path, &error))
 }
 
 /// The folder asked for, or that of the file; for standard input the working directory.

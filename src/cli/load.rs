@@ -21,7 +21,12 @@ pub(super) struct Loaded {
 /// Imports are relative to the file that names them and stay inside the folder of the root file,
 /// for standard input inside the working directory.
 pub(super) fn load(root: &Path, limits: &Limits) -> Loaded {
-    let mut loader = Loader { loaded: Loaded::default(), folder: PathBuf::new(), limits, chain: Vec::new() };
+    let mut loader = Loader {
+        loaded: Loaded::default(),
+        folder: PathBuf::new(),
+        limits,
+        chain: Vec::new(),
+    };
     if root == Path::new("-") {
         let mut bytes = Vec::new();
         match std::io::stdin().lock().read_to_end(&mut bytes) {
@@ -74,7 +79,10 @@ impl Loader<'_> {
         };
         let file = self.loaded.sources.add(name, text.as_str());
         let document = parse(file, &text, self.limits, &mut self.loaded.diagnostics);
-        let folder = path.as_deref().and_then(Path::parent).map(Path::to_path_buf);
+        let folder = path
+            .as_deref()
+            .and_then(Path::parent)
+            .map(Path::to_path_buf);
         let folder = folder.unwrap_or_else(|| self.folder.clone());
         self.loaded.paths.push(path);
         let imports: Vec<(String, Span)> = document
@@ -97,27 +105,40 @@ impl Loader<'_> {
         let relative = Path::new(target);
         let joined = folder.join(relative);
         let outside = || {
-            Diagnostic::new(Code::E0603, span, format!("`{target}` lies outside the project folder"))
-                .help("imports stay inside the folder of the file that is compiled")
+            Diagnostic::new(
+                Code::E0603,
+                span,
+                format!("`{target}` lies outside the project folder"),
+            )
+            .help("imports stay inside the folder of the file that is compiled")
         };
         if relative.is_absolute() {
             return self.loaded.diagnostics.push(outside());
         }
         let path = match fs::canonicalize(&joined) {
             Ok(path) => path,
-            Err(error) => return self.fail(format!("`{target}` cannot be read: {error}"), Some(span)),
+            Err(error) => {
+                return self.fail(format!("`{target}` cannot be read: {error}"), Some(span));
+            }
         };
         if !path.starts_with(&self.folder) {
             return self.loaded.diagnostics.push(outside());
         }
-        let known = self.loaded.paths.iter().position(|own| own.as_deref() == Some(path.as_path()));
+        let known = self
+            .loaded
+            .paths
+            .iter()
+            .position(|own| own.as_deref() == Some(path.as_path()));
         if let Some(known) = known {
             return self.check_cycle(known, target, span);
         }
         if self.loaded.documents.len() > self.limits.imports {
             let message = format!("more than {} files are imported", self.limits.imports);
             let finding = Diagnostic::new(Code::E0506, span, message);
-            return self.loaded.diagnostics.push(finding.help("raise the limit with `--max-imports`"));
+            return self
+                .loaded
+                .diagnostics
+                .push(finding.help("raise the limit with `--max-imports`"));
         }
         if !path.is_file() {
             return self.fail(format!("`{target}` is not a file"), Some(span));
@@ -133,8 +154,13 @@ impl Loader<'_> {
         let Some(start) = self.chain.iter().position(|own| own.0 as usize == known) else {
             return;
         };
-        let names = self.chain[start..].iter().map(|own| self.loaded.sources.file(*own).name.as_str());
-        let chain = names.chain(std::iter::once(target)).collect::<Vec<_>>().join(" → ");
+        let names = self.chain[start..]
+            .iter()
+            .map(|own| self.loaded.sources.file(*own).name.as_str());
+        let chain = names
+            .chain(std::iter::once(target))
+            .collect::<Vec<_>>()
+            .join(" → ");
         let finding = Diagnostic::new(Code::E0604, span, "these files import each other");
         self.loaded.diagnostics.push(finding.note(chain));
     }

@@ -29,16 +29,26 @@ pub fn run() -> ExitCode {
         Err(error) => {
             let usage = error.use_stderr();
             let _ = error.print();
-            return if usage { Status::Usage } else { Status::Success }.into();
+            return if usage {
+                Status::Usage
+            } else {
+                Status::Success
+            }
+            .into();
         }
     };
     let levels = arguments.limits().nesting.saturating_sub(256);
     let stack = STACK.saturating_add(levels.saturating_mul(STACK_OF_LEVEL));
     let worker = std::thread::Builder::new().stack_size(stack);
     let work = worker.spawn(move || catch_unwind(AssertUnwindSafe(|| dispatch(&arguments))));
-    let status = work.ok().and_then(|thread| thread.join().ok()).and_then(Result::ok);
+    let status = work
+        .ok()
+        .and_then(|thread| thread.join().ok())
+        .and_then(Result::ok);
     let Some(status) = status else {
-        session::complain("internal error: this is a defect of sweepc, please report it with the input");
+        session::complain(
+            "internal error: this is a defect of sweepc, please report it with the input",
+        );
         return Status::Internal.into();
     };
     status.into()

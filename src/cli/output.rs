@@ -8,7 +8,10 @@ pub(super) fn file_name(file: &Path) -> String {
     if file == Path::new("-") {
         return "<stdin>".to_owned();
     }
-    file.file_name().unwrap_or(file.as_os_str()).to_string_lossy().into_owned()
+    file.file_name()
+        .unwrap_or(file.as_os_str())
+        .to_string_lossy()
+        .into_owned()
 }
 
 /// The name without its extension, for the names of output files.
@@ -16,7 +19,10 @@ pub(super) fn stem(file: &Path) -> String {
     if file == Path::new("-") {
         return "stdin".to_owned();
     }
-    file.file_stem().unwrap_or(file.as_os_str()).to_string_lossy().into_owned()
+    file.file_stem()
+        .unwrap_or(file.as_os_str())
+        .to_string_lossy()
+        .into_owned()
 }
 
 /// Files that are written whole or not at all: each is a temporary file in its folder until

@@ -14,7 +14,9 @@ pub(super) fn run(own: &ReportArguments, arguments: &Arguments) -> Status {
     };
     require_surfaces(&mut session, &own.file);
     session.print_diagnostics(arguments.color);
-    let report = session.compilation.report(&file_name(&own.file), &session.sources);
+    let report = session
+        .compilation
+        .report(&file_name(&own.file), &session.sources);
     let status = Status::of(&session.compilation.diagnostics);
     if report.surfaces.is_empty() && own.format != ReportFormat::Json {
         return status;
@@ -36,9 +38,12 @@ pub(super) fn run(own: &ReportArguments, arguments: &Arguments) -> Status {
 /// A file without surfaces has nothing to report or to build.
 pub(super) fn require_surfaces(session: &mut Session, file: &std::path::Path) {
     let compilation = &mut session.compilation;
-    if session.readable && compilation.surfaces.is_empty() && !compilation.diagnostics.has_errors() {
+    if session.readable && compilation.surfaces.is_empty() && !compilation.diagnostics.has_errors()
+    {
         let message = format!("nothing to build: `{}` declares no surface", file.display());
         let finding = Diagnostic::global(Code::E0303, message);
-        compilation.diagnostics.push(finding.help("declare one: `surface R = c(v) + x(u) n(v) + z(u) k`"));
+        compilation
+            .diagnostics
+            .push(finding.help("declare one: `surface R = c(v) + x(u) n(v) + z(u) k`"));
     }
 }

@@ -29,23 +29,46 @@ impl Session {
     /// # Errors
     ///
     /// A wrong `-D` or `--surface`, which has been told on standard error.
-    pub(super) fn open(file: &Path, arguments: &Arguments, any_weight_ratio: bool) -> Result<Self, Status> {
+    pub(super) fn open(
+        file: &Path,
+        arguments: &Arguments,
+        any_weight_ratio: bool,
+    ) -> Result<Self, Status> {
         let limits = arguments.limits();
-        let Loaded { mut sources, documents, diagnostics, paths } = load(file, &limits);
+        let Loaded {
+            mut sources,
+            documents,
+            diagnostics,
+            paths,
+        } = load(file, &limits);
         let overrides = overrides(&arguments.set, &documents)?;
         if let Some(name) = &arguments.surface
             && !documents.is_empty()
         {
             check_surface(name, &documents)?;
         }
-        let options = Options { overrides, surface: arguments.surface.clone(), limits, any_weight_ratio };
+        let options = Options {
+            overrides,
+            surface: arguments.surface.clone(),
+            limits,
+            any_weight_ratio,
+        };
         let readable = !documents.is_empty();
         let compilation = if readable {
             compile(&mut sources, &documents, &options, diagnostics)
         } else {
-            Compilation { diagnostics, ..Compilation::default() }
+            Compilation {
+                diagnostics,
+                ..Compilation::default()
+            }
         };
-        Ok(Self { sources, compilation, options, paths, readable })
+        Ok(Self {
+            sources,
+            compilation,
+            options,
+            paths,
+            readable,
+        })
     }
 
     /// Prints the findings to standard error.
@@ -58,9 +81,16 @@ pub(super) fn print_diagnostics(diagnostics: &Diagnostics, sources: &SourceMap, 
     let coloured = match color {
         Color::Always => true,
         Color::Never => false,
-        Color::Auto => std::env::var_os("NO_COLOR").is_none_or(|own| own.is_empty()) && std::io::stderr().is_terminal(),
+        Color::Auto => {
+            std::env::var_os("NO_COLOR").is_none_or(|own| own.is_empty())
+                && std::io::stderr().is_terminal()
+        }
     };
-    let style = if coloured { Style::Coloured } else { Style::Plain };
+    let style = if coloured {
+        Style::Coloured
+    } else {
+        Style::Plain
+    };
     let mut stderr = std::io::stderr().lock();
     for diagnostic in diagnostics.iter() {
         let _ = writeln!(stderr, "{}", render_text(diagnostic, sources, style));
@@ -70,7 +100,9 @@ pub(super) fn print_diagnostics(diagnostics: &Diagnostics, sources: &SourceMap, 
 /// Writes results to standard output; a reader that has gone away ends the output quietly.
 pub(super) fn print(text: &str) {
     let mut stdout = std::io::stdout().lock();
-    let _ = stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush());
+    let _ = stdout
+        .write_all(text.as_bytes())
+        .and_then(|()| stdout.flush());
 }
 
 /// One line to standard error.
@@ -92,11 +124,17 @@ fn overrides(given: &[String], documents: &[Document]) -> Result<HashMap<String,
         };
         let name = canonical_name(name.trim());
         let Ok(value) = value.trim().parse::<Real>() else {
-            complain(&format!("`{value}` is not an exact number such as 3/2 or 0.25"));
+            complain(&format!(
+                "`{value}` is not an exact number such as 3/2 or 0.25"
+            ));
             return Err(Status::Usage);
         };
         if !documents.is_empty() && !params.contains(&name.as_str()) {
-            let list = if params.is_empty() { "the file has none".to_owned() } else { format!("there are: {}", params.join(", ")) };
+            let list = if params.is_empty() {
+                "the file has none".to_owned()
+            } else {
+                format!("there are: {}", params.join(", "))
+            };
             complain(&format!("`{name}` is not a parameter; {list}"));
             return Err(Status::Usage);
         }
@@ -113,12 +151,19 @@ fn check_surface(name: &str, documents: &[Document]) -> Result<(), Status> {
     if surfaces.contains(&canonical_name(name).as_str()) {
         return Ok(());
     }
-    let list = if surfaces.is_empty() { "the file has none".to_owned() } else { format!("there are: {}", surfaces.join(", ")) };
+    let list = if surfaces.is_empty() {
+        "the file has none".to_owned()
+    } else {
+        format!("there are: {}", surfaces.join(", "))
+    };
     complain(&format!("`{name}` is not a surface; {list}"));
     Err(Status::Usage)
 }
 
-fn names<'a>(documents: &'a [Document], pick: impl Fn(&'a Declaration) -> Option<&'a str>) -> Vec<&'a str> {
+fn names<'a>(
+    documents: &'a [Document],
+    pick: impl Fn(&'a Declaration) -> Option<&'a str>,
+) -> Vec<&'a str> {
     let items = documents.iter().flat_map(|document| &document.items);
     items.filter_map(|item| pick(&item.declaration)).collect()
 }

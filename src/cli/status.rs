@@ -33,7 +33,11 @@ impl Status {
                 Self::Success
             }
         };
-        diagnostics.iter().map(|own| status(own.code)).max().unwrap_or(Self::Success)
+        diagnostics
+            .iter()
+            .map(|own| status(own.code))
+            .max()
+            .unwrap_or(Self::Success)
     }
 }
 

@@ -3,7 +3,9 @@ use std::cell::OnceCell;
 use crate::number::{Field, Real};
 use crate::poly::{Antiderivative, RealRoot, UniPoly, integrate, real_roots};
 
-use super::{Axis, Fault, Hodograph, Homogeneous, Interval, Parameter, Plane, Property, PropertyFunction};
+use super::{
+    Axis, Fault, Hodograph, Homogeneous, Interval, Parameter, Plane, Property, PropertyFunction,
+};
 
 /// A rational curve of one span on its domain, with the properties that it has exactly.
 ///
@@ -86,7 +88,9 @@ impl Curve {
     ///
     /// The faults of [`Hodograph::speed`].
     pub fn speed(&self) -> Result<&UniPoly<Real>, Fault> {
-        let speed = self.speed.get_or_init(|| self.hodograph.speed(&self.domain));
+        let speed = self
+            .speed
+            .get_or_init(|| self.hodograph.speed(&self.domain));
         speed.as_ref().map_err(Clone::clone)
     }
 
@@ -105,7 +109,9 @@ impl Curve {
     /// As for the property [`Property::ArcLength`].
     pub fn length(&self) -> Result<Real, Fault> {
         let length = self.property(Property::ArcLength)?;
-        Ok(length.evaluate(self.domain.end()).unwrap_or_else(Real::zero))
+        Ok(length
+            .evaluate(self.domain.end())
+            .unwrap_or_else(Real::zero))
     }
 
     /// A property as an unreduced fraction in the curve's parameter.
@@ -126,9 +132,16 @@ impl Curve {
         } else {
             ((2 * degree).saturating_sub(2), 2 * degree)
         };
-        let Hodograph { numerators, denominator } = &self.hodograph;
+        let Hodograph {
+            numerators,
+            denominator,
+        } = &self.hodograph;
         let function = |numerator: UniPoly<Real>, denominator: UniPoly<Real>, bound| {
-            Ok(PropertyFunction { numerator, denominator, bound })
+            Ok(PropertyFunction {
+                numerator,
+                denominator,
+                bound,
+            })
         };
         match property {
             Property::Position(axis) => function(
@@ -186,7 +199,12 @@ impl Curve {
     fn plane_hodograph(&self) -> Result<(Axis, Axis, &UniPoly<Real>, &UniPoly<Real>), Fault> {
         let (first, second) = self.plane.ok_or(Fault::NotPlane)?.axes();
         let numerators = &self.hodograph.numerators;
-        Ok((first, second, &numerators[first.index()], &numerators[second.index()]))
+        Ok((
+            first,
+            second,
+            &numerators[first.index()],
+            &numerators[second.index()],
+        ))
     }
 
     fn normal_numerator(&self, axis: Axis) -> Result<UniPoly<Real>, Fault> {
@@ -214,7 +232,10 @@ impl Curve {
         let length = self.arc_length.get_or_init(|| {
             let speed = self.speed()?;
             let (numerator, denominator) = match integrate(speed, &self.hodograph.denominator) {
-                Antiderivative::Rational { numerator, denominator } => (numerator, denominator),
+                Antiderivative::Rational {
+                    numerator,
+                    denominator,
+                } => (numerator, denominator),
                 Antiderivative::NotRational { logarithmic } => {
                     return Err(Fault::ArcLengthNotRational { logarithmic });
                 }
@@ -223,7 +244,10 @@ impl Curve {
             if let Some(root) = real_roots(&denominator, start, end).into_iter().next() {
                 return Err(Fault::InfiniteArcLength { root });
             }
-            let offset = denominator.evaluate(start).inverse().unwrap_or_else(Real::zero);
+            let offset = denominator
+                .evaluate(start)
+                .inverse()
+                .unwrap_or_else(Real::zero);
             let offset = numerator.evaluate(start).times(&offset);
             Ok((&numerator - &denominator.scale(&offset), denominator))
         });

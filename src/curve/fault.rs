@@ -60,7 +60,9 @@ impl Fault {
     pub fn message(&self, curve: &str) -> String {
         match self {
             Self::NotPythagorean { .. } => {
-                format!("`{curve}` is not a Pythagorean-hodograph curve: ‖{curve}′‖² is not a square")
+                format!(
+                    "`{curve}` is not a Pythagorean-hodograph curve: ‖{curve}′‖² is not a square"
+                )
             }
             Self::IrrationalSpeed { radicand } => format!(
                 "the parametric speed of `{curve}` needs √({radicand}), which is not a rational number"
@@ -86,13 +88,17 @@ impl Fault {
     #[must_use]
     pub fn help(&self) -> Option<&'static str> {
         match self {
-            Self::NotPythagorean { .. } => {
-                Some("give the curve by a preimage, `ph(start: P, preimage: [(a, b), …])`, or use only x, y, z")
-            }
+            Self::NotPythagorean { .. } => Some(
+                "give the curve by a preimage, `ph(start: P, preimage: [(a, b), …])`, or use only x, y, z",
+            ),
             Self::IrrationalSpeed { .. } => Some("this version computes over the rational numbers"),
             Self::SpeedChangesSign { .. } => Some("end the domain at the change of sign"),
-            Self::ArcLengthNotRational { .. } => Some("polynomial Pythagorean-hodograph curves have a rational arc length"),
-            Self::NotPlane => Some("give it by pairs and name its plane: `in xy`, `in xz` or `in yz`"),
+            Self::ArcLengthNotRational { .. } => {
+                Some("polynomial Pythagorean-hodograph curves have a rational arc length")
+            }
+            Self::NotPlane => {
+                Some("give it by pairs and name its plane: `in xy`, `in xz` or `in yz`")
+            }
             Self::InfiniteArcLength { .. } | Self::NoMotion | Self::StraightLine => None,
         }
     }
@@ -114,8 +120,12 @@ impl Fault {
                 "the integral of σ has logarithms or arctangents from the poles {} = 0",
                 logarithmic.display(&variable)
             )),
-            Self::InfiniteArcLength { root } => Some(format!("σ has a pole at {variable} = {root}")),
-            Self::IrrationalSpeed { .. } | Self::NoMotion | Self::NotPlane | Self::StraightLine => None,
+            Self::InfiniteArcLength { root } => {
+                Some(format!("σ has a pole at {variable} = {root}"))
+            }
+            Self::IrrationalSpeed { .. } | Self::NoMotion | Self::NotPlane | Self::StraightLine => {
+                None
+            }
         }
     }
 }

@@ -1,7 +1,5 @@
 use crate::number::{Field, Real};
-use crate::poly::{
-    RealRoot, SquareTest, UniPoly, gcd_all, real_roots, sign_change, square_test,
-};
+use crate::poly::{RealRoot, SquareTest, UniPoly, gcd_all, real_roots, sign_change, square_test};
 
 use super::{Fault, Homogeneous, Interval};
 
@@ -30,7 +28,11 @@ impl Hodograph {
                 &(&own.derivative() * weight) - &(own * &slope)
             }
         });
-        let denominator = if weight.is_constant() { weight.clone() } else { weight * weight };
+        let denominator = if weight.is_constant() {
+            weight.clone()
+        } else {
+            weight * weight
+        };
         let common = gcd_all(std::iter::once(&denominator).chain(&numerators));
         let divide = |own: &UniPoly<Real>| own.exact_div(&common).unwrap_or_else(|| own.clone());
         Self {
@@ -72,7 +74,11 @@ impl Hodograph {
         if let Some(root) = sign_change(&over, domain.start(), domain.end()) {
             return Err(Fault::SpeedChangesSign { root });
         }
-        Ok(if is_negative(&over, domain) { -&signed } else { signed })
+        Ok(if is_negative(&over, domain) {
+            -&signed
+        } else {
+            signed
+        })
     }
 
     /// The cusps: zeros of a speed numerator on the closed domain.

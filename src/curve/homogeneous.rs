@@ -33,7 +33,9 @@ impl Homogeneous {
             Parameter::U => (own.numerator().at_v(&zero), own.denominator().in_u()),
             Parameter::V => (own.numerator().at_u(&zero), own.denominator().in_v()),
         });
-        let weight = parts.iter().fold(UniPoly::one(), |common, (_, own)| lcm(&common, own));
+        let weight = parts
+            .iter()
+            .fold(UniPoly::one(), |common, (_, own)| lcm(&common, own));
         let over = |(numerator, denominator): &(UniPoly<Real>, &UniPoly<Real>)| {
             Some(numerator * &weight.exact_div(denominator)?)
         };
@@ -51,7 +53,9 @@ impl Homogeneous {
         if common.is_constant() {
             return None;
         }
-        real_roots(&common, domain.start(), domain.end()).into_iter().next()
+        real_roots(&common, domain.start(), domain.end())
+            .into_iter()
+            .next()
     }
 
     /// The same curve without the common factor of w, x, y, z.

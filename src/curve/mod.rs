@@ -2,8 +2,8 @@
 
 mod curve;
 mod fault;
-mod homogeneous;
 mod hodograph;
+mod homogeneous;
 mod interval;
 pub mod kinds;
 mod plane;

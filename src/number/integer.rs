@@ -11,7 +11,20 @@ pub type Integer = num_bigint::BigInt;
 /// The greatest common divisor, not negative.
 #[must_use]
 pub fn gcd(left: &Integer, right: &Integer) -> Integer {
-    left.gcd(right)
+    // A machine word on one side makes the other one, by one remainder.
+    let word = |value: &Integer| u64::try_from(value.magnitude()).ok();
+    let remainder = |value: &Integer, word: u64| {
+        let rest = value.magnitude() % word;
+        u64::try_from(rest).unwrap_or_default()
+    };
+    match (word(left), word(right)) {
+        (Some(0), _) => right.abs(),
+        (_, Some(0)) => left.abs(),
+        (Some(first), Some(second)) => first.gcd(&second).into(),
+        (Some(first), None) => first.gcd(&remainder(right, first)).into(),
+        (None, Some(second)) => second.gcd(&remainder(left, second)).into(),
+        (None, None) => left.gcd(right),
+    }
 }
 
 /// The least common multiple, not negative.
@@ -94,5 +107,22 @@ impl Ring for Integer {
 
     fn as_integer(&self) -> Option<&Integer> {
         Some(self)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn divisors_of_words_and_of_long_integers_agree() {
+        let long = Integer::from(6) << 200_u32;
+        let values = [0, 1, -12, 18, 1_i64 << 40].map(Integer::from);
+        for left in values.iter().chain([&long]) {
+            for right in values.iter().chain([&long]) {
+                assert_eq!(gcd(left, right), left.gcd(right));
+                assert_eq!(gcd(left, &(right * &long)), left.gcd(&(right * &long)));
+            }
+        }
     }
 }

@@ -1,4 +1,9 @@
+use std::sync::OnceLock;
+
 use super::Integer;
+
+/// The first primes, found once.
+static FIRST: OnceLock<Vec<Modulus>> = OnceLock::new();
 
 /// A prime modulus q below 2⁶², for images of which many are needed.
 ///
@@ -17,8 +22,15 @@ pub struct Modulus {
 impl Modulus {
     /// The primes below 2⁶², from the greatest down.
     pub fn descending() -> impl Iterator<Item = Self> {
-        (1..1_u64 << 61)
-            .map(|step| Self::of_odd((1 << 62) + 1 - 2 * step))
+        let first = FIRST.get_or_init(|| Self::search(1 << 62).take(32).collect());
+        let bound = first.last().map_or(1 << 62, Self::prime);
+        first.iter().copied().chain(Self::search(bound))
+    }
+
+    /// The odd primes below the bound, from the greatest down, found one by one.
+    fn search(bound: u64) -> impl Iterator<Item = Self> {
+        (1..bound / 2)
+            .map(move |step| Self::of_odd((bound | 1) - 2 * step))
             .filter(Self::is_prime)
     }
 
@@ -203,5 +215,11 @@ mod tests {
         // 2⁶² − 57 is the greatest prime below 2⁶².
         let first = Modulus::descending().next().map(|modulus| modulus.prime());
         assert_eq!(first, Some((1 << 62) - 57));
+        let several: Vec<_> = Modulus::descending()
+            .take(40)
+            .map(|own| own.prime())
+            .collect();
+        let searched = Modulus::search(1 << 62).take(40).map(|own| own.prime());
+        assert_eq!(several, searched.collect::<Vec<_>>());
     }
 }

@@ -82,7 +82,10 @@ impl Rational {
     #[must_use]
     pub fn decimal(&self, digits: u32) -> String {
         let scale = Pow::pow(Integer::from(10), digits);
-        let scaled = Self(&self.0 * BigRational::from_integer(scale)).0.round().to_integer();
+        let scaled = Self(&self.0 * BigRational::from_integer(scale))
+            .0
+            .round()
+            .to_integer();
         let width = digits as usize + 1;
         let text = format!("{:0>width$}", scaled.abs().to_string());
         let (whole, fraction) = text.split_at(text.len() - digits as usize);

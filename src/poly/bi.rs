@@ -314,7 +314,12 @@ impl<F: Field> fmt::Display for BiPoly<F> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let rows = self.rows();
         let mut parts = Vec::new();
-        for (power, row) in rows.iter().enumerate().rev().filter(|(_, row)| !row.is_zero()) {
+        for (power, row) in rows
+            .iter()
+            .enumerate()
+            .rev()
+            .filter(|(_, row)| !row.is_zero())
+        {
             let monomial = UniPoly::<F>::one().shift(power).display("u");
             parts.push(match row.display("v").as_str() {
                 text if power == 0 => text.to_owned(),

@@ -32,18 +32,24 @@ impl<F: Field> BiPoly<F> {
     }
 
     /// The greatest divisor in u alone, the greatest in v alone, and the rest, free of both.
-    fn split(&self) -> Option<(UniPoly<F>, UniPoly<F>, Self)> {
+    pub(super) fn split(&self) -> Option<(UniPoly<F>, UniPoly<F>, Self)> {
         let (in_u, in_v) = (self.content_u(), self.content_v());
-        let rest = self.exact_div_u(&in_u)?.exact_div_v(&in_v)?;
+        let mut rest = self.clone();
+        if !in_u.is_constant() {
+            rest = rest.exact_div_u(&in_u)?;
+        }
+        if !in_v.is_constant() {
+            rest = rest.exact_div_v(&in_v)?;
+        }
         Some((in_u, in_v, rest))
     }
 }
 
 /// The greatest common divisor in the normal form of [`BiPoly::primitive`]; gcd(0, 0) = 0.
 ///
-/// The divisors in u alone and in v alone are univariate. Of the rest the image at one point
-/// modulo 2⁶¹ − 1 proves most pairs coprime; otherwise the divisor is interpolated from
-/// univariate ones, and division is the proof.
+/// Images modulo 2⁶¹ − 1, one at a point u and one at a point v, prove most pairs coprime.
+/// Otherwise the divisors in u alone and in v alone are univariate; that of the rest is
+/// interpolated from univariate ones, and division is the proof.
 #[must_use]
 pub fn gcd_bi<F: Field>(left: &BiPoly<F>, right: &BiPoly<F>) -> BiPoly<F> {
     if left.is_zero() {
@@ -51,6 +57,9 @@ pub fn gcd_bi<F: Field>(left: &BiPoly<F>, right: &BiPoly<F>) -> BiPoly<F> {
     }
     if right.is_zero() {
         return left.primitive();
+    }
+    if images_coprime(left, right) {
+        return BiPoly::one();
     }
     let (Some(first), Some(second)) = (left.split(), right.split()) else {
         return BiPoly::one();
@@ -95,7 +104,7 @@ fn gcd_of_primitive<F: Field>(left: &BiPoly<F>, right: &BiPoly<F>) -> BiPoly<F> 
         return BiPoly::one();
     };
     // Without such divisors a polynomial in one variable is a constant.
-    if first.u.min(first.v).min(second.u).min(second.v) == 0 || image_coprime(left, right) {
+    if first.u.min(first.v).min(second.u).min(second.v) == 0 || free_of_v(left, right) {
         return BiPoly::one();
     }
     if first.u.min(second.u) > first.v.min(second.v) {
@@ -104,17 +113,41 @@ fn gcd_of_primitive<F: Field>(left: &BiPoly<F>, right: &BiPoly<F>) -> BiPoly<F> 
     interpolated_gcd(left, right)
 }
 
-/// Whether the images at one point u modulo 2⁶¹ − 1 are coprime and one of them keeps its degree
-/// in v. Then so are the polynomials: a common divisor, scaled to be primitive over the local
-/// ring of that point, would keep its degree too.
-fn image_coprime<F: Field>(left: &BiPoly<F>, right: &BiPoly<F>) -> bool {
-    let at = Residue::new(0x1234_5678_9abc_def1);
-    let degree = |polynomial: &BiPoly<F>| polynomial.bidegree().map(|degree| degree.v);
-    let (Some(first), Some(second)) = (Image::at_u(left, at), Image::at_u(right, at)) else {
+/// The point at which images are taken: an accident, so that few polynomials are singular there.
+const POINT: u64 = 0x1234_5678_9abc_def1;
+
+/// Whether images at one point show that every common divisor is a constant.
+fn images_coprime<F: Field>(left: &BiPoly<F>, right: &BiPoly<F>) -> bool {
+    let image = |own: &BiPoly<F>| {
+        let image = Image::at_v(own, Residue::new(POINT))?;
+        let degree = own.terms().iter().filter_map(|(in_u, _)| in_u.degree());
+        Some((degree.max(), image))
+    };
+    free_of_v(left, right) && are_coprime(image(left), image(right))
+}
+
+/// Whether images at one point show that no common divisor depends on v.
+fn free_of_v<F: Field>(left: &BiPoly<F>, right: &BiPoly<F>) -> bool {
+    let image = |own: &BiPoly<F>| {
+        let image = Image::at_u(own, Residue::new(POINT))?;
+        let degree = own.terms().iter().filter_map(|(_, in_v)| in_v.degree());
+        Some((degree.max(), image))
+    };
+    are_coprime(image(left), image(right))
+}
+
+/// Whether two images are coprime and one of them reaches the bound for its degree. Then no
+/// common divisor depends on the variable that is left: scaled to be primitive over the local
+/// ring of the point and the prime, it would keep its degree too.
+fn are_coprime(
+    left: Option<(Option<usize>, Image)>,
+    right: Option<(Option<usize>, Image)>,
+) -> bool {
+    let (Some((left_bound, left)), Some((right_bound, right))) = (left, right) else {
         return false;
     };
-    let kept = first.degree() == degree(left) || second.degree() == degree(right);
-    kept && first.gcd(second).degree() == Some(0)
+    let kept = left.degree() == left_bound || right.degree() == right_bound;
+    kept && left.gcd(right).degree() == Some(0)
 }
 
 /// The gcd from gcd(p(x, v), q(x, v)) at integers x.

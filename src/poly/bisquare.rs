@@ -48,11 +48,8 @@ pub fn square_test_bi<F: Field>(polynomial: &BiPoly<F>) -> BiSquareTest<F> {
             root: BiPoly::one(),
         };
     }
-    let root = primitive_root(&packed).and_then(|root| {
-        let inverse = (&root * &root).leading_coefficient().inverse()?;
-        let factor = packed.leading_coefficient().times(&inverse);
-        Some((factor, unpack(&root, degree.v + 1)?))
-    });
+    let root = primitive_root(&packed)
+        .and_then(|(factor, root)| Some((factor, unpack(&root, degree.v + 1)?)));
     match root {
         Some((factor, root)) => BiSquareTest::Square { factor, root },
         None => BiSquareTest::NotSquare {

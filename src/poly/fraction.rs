@@ -75,7 +75,11 @@ impl<F: Field> Denominator<F> {
     #[must_use]
     pub fn polynomial(&self) -> BiPoly<F> {
         let separable = BiPoly::product(&self.in_u, &self.in_v);
-        if self.is_separable() { separable } else { &separable * &self.mixed }
+        if self.is_separable() {
+            separable
+        } else {
+            &separable * &self.mixed
+        }
     }
 
     /// The product of two denominators.
@@ -102,7 +106,11 @@ impl<F: Field> Denominator<F> {
     #[must_use]
     pub fn lcm(&self, other: &Self) -> Self {
         let univariate = |left: &UniPoly<F>, right: &UniPoly<F>| {
-            if left == right { left.clone() } else { lcm(left, right) }
+            if left == right {
+                left.clone()
+            } else {
+                lcm(left, right)
+            }
         };
         let mixed = match (self.is_separable(), other.is_separable()) {
             (_, true) => self.mixed.clone(),
@@ -126,7 +134,11 @@ impl<F: Field> Denominator<F> {
     #[must_use]
     pub fn cofactor(&self, multiple: &Self) -> BiPoly<F> {
         let divide = |whole: &UniPoly<F>, part: &UniPoly<F>| {
-            if whole == part { Some(UniPoly::one()) } else { whole.exact_div(part) }
+            if whole == part {
+                Some(UniPoly::one())
+            } else {
+                whole.exact_div(part)
+            }
         };
         let in_u = divide(&multiple.in_u, &self.in_u).unwrap_or_else(UniPoly::one);
         let in_v = divide(&multiple.in_v, &self.in_v).unwrap_or_else(UniPoly::one);
@@ -247,7 +259,11 @@ impl<F: Field> Fraction<F> {
     /// aⁿ for n of either sign; none for 0 to a negative power
     #[must_use]
     pub fn power(&self, exponent: i64) -> Option<Self> {
-        let base = if exponent < 0 { self.inverse()? } else { self.clone() };
+        let base = if exponent < 0 {
+            self.inverse()?
+        } else {
+            self.clone()
+        };
         let exponent = u32::try_from(exponent.unsigned_abs()).ok()?;
         Some(Self::new(
             base.numerator.power(exponent),
@@ -295,7 +311,11 @@ impl<F: Field> Fraction<F> {
             in_v: self.denominator.in_u.clone(),
             mixed: self.denominator.mixed.transpose(),
         };
-        let lead = denominator.mixed.rows().last().map(UniPoly::leading_coefficient);
+        let lead = denominator
+            .mixed
+            .rows()
+            .last()
+            .map(UniPoly::leading_coefficient);
         match lead.and_then(|lead| lead.inverse()) {
             Some(inverse) if inverse != F::one() => Self::new(
                 self.numerator.transpose().scale(&inverse),
@@ -327,10 +347,16 @@ impl<F: Field> Fraction<F> {
         let mut denominator = self.denominator.clone();
         let in_u = shared(&denominator.in_u, || numerator.content_u());
         numerator = numerator.exact_div_u(&in_u).unwrap_or(numerator);
-        denominator.in_u = denominator.in_u.exact_div(&in_u).unwrap_or(denominator.in_u);
+        denominator.in_u = denominator
+            .in_u
+            .exact_div(&in_u)
+            .unwrap_or(denominator.in_u);
         let in_v = shared(&denominator.in_v, || numerator.content_v());
         numerator = numerator.exact_div_v(&in_v).unwrap_or(numerator);
-        denominator.in_v = denominator.in_v.exact_div(&in_v).unwrap_or(denominator.in_v);
+        denominator.in_v = denominator
+            .in_v
+            .exact_div(&in_v)
+            .unwrap_or(denominator.in_v);
         if !denominator.is_separable() {
             let common = gcd_bi(&numerator, &denominator.mixed);
             let divided = exact_div_bi(&denominator.mixed, &common);
@@ -350,7 +376,12 @@ impl<F: Field> Fraction<F> {
     pub fn as_constant(&self) -> Option<F> {
         let reduced = self.reduce();
         let denominator = reduced.denominator.polynomial().as_constant()?;
-        Some(reduced.numerator.as_constant()?.times(&denominator.inverse()?))
+        Some(
+            reduced
+                .numerator
+                .as_constant()?
+                .times(&denominator.inverse()?),
+        )
     }
 
     /// a(φ, ψ) for rational functions φ, ψ; none if the denominator becomes 0.
@@ -376,7 +407,11 @@ impl<F: Field> Fraction<F> {
 
 /// The common factor of a univariate denominator and a content that is costly to find.
 fn shared<F: Field>(denominator: &UniPoly<F>, content: impl FnOnce() -> UniPoly<F>) -> UniPoly<F> {
-    if denominator.is_constant() { UniPoly::one() } else { gcd(denominator, &content()) }
+    if denominator.is_constant() {
+        UniPoly::one()
+    } else {
+        gcd(denominator, &content())
+    }
 }
 
 /// b₁ⁿ b₂ᵐ p(a₁/b₁, a₂/b₂) where (n, m) is the bidegree of p.

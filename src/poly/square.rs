@@ -1,4 +1,5 @@
 use super::UniPoly;
+use super::image::Image;
 use super::squarefree::odd_part;
 use crate::number::{Field, Integer, Ring};
 
@@ -35,23 +36,19 @@ pub fn square_test<F: Field>(polynomial: &UniPoly<F>) -> SquareTest<F> {
             root: UniPoly::one(),
         };
     }
-    if let Some(root) = primitive_root(polynomial)
-        && let Some(inverse) = (&root * &root).leading_coefficient().inverse()
-    {
-        return SquareTest::Square {
-            factor: lead.times(&inverse),
-            root,
-        };
+    if let Some((factor, root)) = primitive_root(polynomial) {
+        return SquareTest::Square { factor, root };
     }
     SquareTest::NotSquare {
         odd_part: odd_part(polynomial),
     }
 }
 
-/// The primitive r of positive leading coefficient whose square is p up to a constant.
-pub(super) fn primitive_root<F: Field>(polynomial: &UniPoly<F>) -> Option<UniPoly<F>> {
+/// The c and the primitive r of positive leading coefficient with p = c r², p not constant.
+pub(super) fn primitive_root<F: Field>(polynomial: &UniPoly<F>) -> Option<(F, UniPoly<F>)> {
     let degree = polynomial.degree()?;
-    if degree % 2 == 1 {
+    // An image that is no square up to a constant, and not 0, refutes p.
+    if degree % 2 == 1 || Image::of(polynomial).is_some_and(|image| !image.is_square()) {
         return None;
     }
     let primitive = polynomial.primitive();
@@ -60,7 +57,16 @@ pub(super) fn primitive_root<F: Field>(polynomial: &UniPoly<F>) -> Option<UniPol
     } else {
         series_root(&primitive)?
     };
-    ((&root * &root).primitive() == primitive).then_some(root)
+    let square = &root * &root;
+    let same = if F::Ring::GAUSS {
+        square == primitive
+    } else {
+        square.primitive() == primitive
+    };
+    let factor = polynomial
+        .leading_coefficient()
+        .times(&square.leading_coefficient().inverse()?);
+    same.then_some((factor, root))
 }
 
 /// The candidate over a ring with Gauss's lemma. There the square of a primitive polynomial is

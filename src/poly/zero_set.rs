@@ -87,9 +87,9 @@ impl<F: Field> Zeros<F> {
 /// Subdivision stops refining where the polynomial takes both signs at this depth.
 const LOCATED: u32 = 8;
 /// Subdivision leaves pieces at this depth to elimination.
-const DEEPEST: u32 = 24;
+const DEEPEST: u32 = 64;
 /// Subdivision looks at no more pieces than this before it leaves the rest to elimination.
-const PIECES: usize = 512;
+const PIECES: usize = 1024;
 /// Subdivision stops once it has located so many zeros.
 const ENOUGH: usize = 16;
 
@@ -120,7 +120,9 @@ pub fn zeros_in_box<F: Field>(polynomial: &BiPoly<F>, u: (&F, &F), v: (&F, &F)) 
             return Zeros::None;
         }
     }
-    let (in_u, in_v) = (polynomial.content_u(), polynomial.content_v());
+    let Some((in_u, in_v, rest)) = polynomial.split() else {
+        return Zeros::None;
+    };
     let mut zeros = Vec::new();
     for (lower, upper) in points(&in_u, u) {
         zeros.push(set(ZeroKind::LineU, (&lower, &upper), v));
@@ -128,10 +130,7 @@ pub fn zeros_in_box<F: Field>(polynomial: &BiPoly<F>, u: (&F, &F), v: (&F, &F)) 
     for (lower, upper) in points(&in_v, v) {
         zeros.push(set(ZeroKind::LineV, u, (&lower, &upper)));
     }
-    let rest = polynomial.exact_div_u(&in_u);
-    if let Some(rest) = rest.and_then(|rest| rest.exact_div_v(&in_v))
-        && rest.as_constant().is_none()
-    {
+    if rest.as_constant().is_none() {
         let found = zeros_of_primitive(&rest, u, v, zeros.is_empty());
         zeros.extend(found);
     }

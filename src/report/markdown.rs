@@ -1,6 +1,6 @@
+use super::Report;
 use super::report::{Decision, SurfaceReport};
 use super::text::{degree_rows, facts};
-use super::Report;
 
 /// The report as Markdown: a section with two tables for each surface.
 #[must_use]
@@ -20,7 +20,12 @@ fn surface(surface: &SurfaceReport) -> String {
         surface.domain.v.join(", ")
     );
     for row in degree_rows(surface) {
-        text.push_str(&format!("| {} | {} | {} |\n", row.label, row.cells.join(" | "), row.remark));
+        text.push_str(&format!(
+            "| {} | {} | {} |\n",
+            row.label,
+            row.cells.join(" | "),
+            row.remark
+        ));
     }
     text.push_str("\n| | |\n|---|---|\n");
     for (label, value) in facts(surface) {
@@ -32,7 +37,10 @@ fn surface(surface: &SurfaceReport) -> String {
             Decision::Decided(false) => "**fails**",
             Decision::Undecided(_) => "**undecided**",
         };
-        text.push_str(&format!("| expect `{}` | {mark} |\n", own.text.replace('|', "\\|")));
+        text.push_str(&format!(
+            "| expect `{}` | {mark} |\n",
+            own.text.replace('|', "\\|")
+        ));
     }
     text
 }

@@ -144,7 +144,9 @@ pub(super) enum Decision {
 
 impl Decision {
     fn of(verdict: &Verdict) -> Self {
-        verdict.holds().map_or(Self::Undecided("undecided"), Self::Decided)
+        verdict
+            .holds()
+            .map_or(Self::Undecided("undecided"), Self::Decided)
     }
 }
 
@@ -189,7 +191,10 @@ impl SurfaceReport {
             poles: surface.poles().iter().map(place).collect(),
             regular: Decision::of(surface.regular()),
             rational_offset: Decision::of(surface.rational_offset()),
-            expectations: judgements.iter().map(|(own, line)| expectation(own, *line)).collect(),
+            expectations: judgements
+                .iter()
+                .map(|(own, line)| expectation(own, *line))
+                .collect(),
             remarks: remarks(surface),
         }
     }
@@ -206,7 +211,9 @@ fn remarks(surface: &Checked) -> Remarks {
         },
         regular: surface.regular().clone(),
         rational_offset: surface.rational_offset().clone(),
-        weights: surface.weights().map(|range| (number(&range.min), number(&range.max))),
+        weights: surface
+            .weights()
+            .map(|range| (number(&range.min), number(&range.max))),
         poles: surface.poles().iter().map(ToString::to_string).collect(),
     }
 }
@@ -214,7 +221,11 @@ fn remarks(surface: &Checked) -> Remarks {
 /// A number as a reader wants it: exact where that is short, else its first digits.
 fn number(value: &Real) -> String {
     let exact = value.to_string();
-    if exact.chars().count() <= 12 { exact } else { format!("≈ {}", value.decimal(6)) }
+    if exact.chars().count() <= 12 {
+        exact
+    } else {
+        format!("≈ {}", value.decimal(6))
+    }
 }
 
 fn pair(degree: Option<BiDegree>) -> Option<[usize; 2]> {
@@ -234,7 +245,10 @@ fn polynomial(polynomial: &BiPoly<Real>) -> PolynomialReport {
             }
         }
     }
-    PolynomialReport { bidegree: pair(polynomial.bidegree()), terms }
+    PolynomialReport {
+        bidegree: pair(polynomial.bidegree()),
+        terms,
+    }
 }
 
 fn affine([x, y, z]: &[AffineDegree; 3]) -> AffineReport {
@@ -242,7 +256,11 @@ fn affine([x, y, z]: &[AffineDegree; 3]) -> AffineReport {
         numerator: pair(own.numerator),
         denominator: [own.denominator.u, own.denominator.v],
     };
-    AffineReport { x: of(x), y: of(y), z: of(z) }
+    AffineReport {
+        x: of(x),
+        y: of(y),
+        z: of(z),
+    }
 }
 
 fn place(zeros: &ZeroSet<Real>) -> PlaceReport {

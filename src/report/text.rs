@@ -1,5 +1,5 @@
-use super::report::{Decision, SurfaceReport};
 use super::Report;
+use super::report::{Decision, SurfaceReport};
 
 /// The report for a terminal, one screen for each surface.
 #[must_use]
@@ -29,7 +29,11 @@ fn surface(surface: &SurfaceReport, file: &str) -> String {
         lines.push(String::new());
         lines.extend(expectations(surface));
     }
-    let mut text = lines.iter().map(|line| line.trim_end()).collect::<Vec<_>>().join("\n");
+    let mut text = lines
+        .iter()
+        .map(|line| line.trim_end())
+        .collect::<Vec<_>>()
+        .join("\n");
     text.push('\n');
     text
 }
@@ -53,9 +57,21 @@ pub(super) fn degree_rows(surface: &SurfaceReport) -> [DegreeRow; 3] {
         format!("common factor {} removed", degree(Some(removed)))
     };
     [
-        DegreeRow { label: "bound", cells: bound.map(degree), remark: String::new() },
-        DegreeRow { label: "constructed", cells: constructed.map(degree), remark: cancelled(bound, constructed) },
-        DegreeRow { label: "reduced", cells: reduced.map(degree), remark },
+        DegreeRow {
+            label: "bound",
+            cells: bound.map(degree),
+            remark: String::new(),
+        },
+        DegreeRow {
+            label: "constructed",
+            cells: constructed.map(degree),
+            remark: cancelled(bound, constructed),
+        },
+        DegreeRow {
+            label: "reduced",
+            cells: reduced.map(degree),
+            remark,
+        },
     ]
 }
 
@@ -65,13 +81,18 @@ fn cancelled(bound: [Option<[usize; 2]>; 4], constructed: [Option<[usize; 2]>; 4
         .zip(bound.into_iter().zip(constructed))
         .filter_map(|(name, pair)| match pair {
             (Some(before), None) if before != [0, 0] => Some(format!("{name} vanishes")),
-            (Some([u, v]), Some([a, b])) if (u, v) != (a, b) => {
-                Some(format!("{name} loses {}", degree(Some([u.saturating_sub(a), v.saturating_sub(b)]))))
-            }
+            (Some([u, v]), Some([a, b])) if (u, v) != (a, b) => Some(format!(
+                "{name} loses {}",
+                degree(Some([u.saturating_sub(a), v.saturating_sub(b)]))
+            )),
             _ => None,
         })
         .collect();
-    if losses.is_empty() { "nothing cancels".to_owned() } else { losses.join(", ") }
+    if losses.is_empty() {
+        "nothing cancels".to_owned()
+    } else {
+        losses.join(", ")
+    }
 }
 
 pub(super) fn degree(pair: Option<[usize; 2]>) -> String {
@@ -81,29 +102,63 @@ pub(super) fn degree(pair: Option<[usize; 2]>) -> String {
 /// The facts below the table, each with its label.
 pub(super) fn facts(surface: &SurfaceReport) -> Vec<(&'static str, String)> {
     let remarks = &surface.remarks;
-    let affine = [("x", &surface.affine.x), ("y", &surface.affine.y), ("z", &surface.affine.z)];
+    let affine = [
+        ("x", &surface.affine.x),
+        ("y", &surface.affine.y),
+        ("z", &surface.affine.z),
+    ];
     let affine = affine.map(|(name, own)| {
-        format!("{name} {}/{}", degree(own.numerator), degree(Some(own.denominator)))
+        format!(
+            "{name} {}/{}",
+            degree(own.numerator),
+            degree(Some(own.denominator))
+        )
     });
     let patch = &surface.patch;
     let [rows, columns] = patch.control_points;
     let weights = match &remarks.weights {
         Some((min, max)) if min == max => format!("all {min}"),
         Some((min, max)) => {
-            let sign = if surface.weights.positive { "positive" } else { "not all positive" };
+            let sign = if surface.weights.positive {
+                "positive"
+            } else {
+                "not all positive"
+            };
             format!("{sign}, from {min} to {max}")
         }
         None => "the first weight is 0".to_owned(),
     };
-    let poles = if remarks.poles.is_empty() { "none".to_owned() } else { remarks.poles.join("; ") };
+    let poles = if remarks.poles.is_empty() {
+        "none".to_owned()
+    } else {
+        remarks.poles.join("; ")
+    };
     vec![
-        ("common factor", format!("{}   ({} after removal)", remarks.common_factor, remarks.coprimality)),
+        (
+            "common factor",
+            format!(
+                "{}   ({} after removal)",
+                remarks.common_factor, remarks.coprimality
+            ),
+        ),
         ("lowest terms", affine.join("   ")),
-        ("patch", format!("{}, {rows} × {columns} control points", degree(Some(patch.bidegree)))),
+        (
+            "patch",
+            format!(
+                "{}, {rows} × {columns} control points",
+                degree(Some(patch.bidegree))
+            ),
+        ),
         ("weights", weights),
         ("poles", poles),
-        ("regular", decision(surface.regular, remarks.regular.because())),
-        ("rational offset", decision(surface.rational_offset, remarks.rational_offset.because())),
+        (
+            "regular",
+            decision(surface.regular, remarks.regular.because()),
+        ),
+        (
+            "rational offset",
+            decision(surface.rational_offset, remarks.rational_offset.because()),
+        ),
     ]
 }
 
@@ -116,7 +171,11 @@ pub(super) fn decision(decision: Decision, because: &str) -> String {
 }
 
 fn expectations(surface: &SurfaceReport) -> Vec<String> {
-    let width = surface.expectations.iter().map(|own| own.text.chars().count()).max();
+    let width = surface
+        .expectations
+        .iter()
+        .map(|own| own.text.chars().count())
+        .max();
     let width = width.unwrap_or(0).min(60);
     surface
         .expectations

@@ -35,7 +35,11 @@ impl<'a> Lowerer<'a> {
     }
 
     /// What a name means in the construction around it; a `where` name is worked out now.
-    pub(super) fn binding(&mut self, name: &Name, scope: &Scope<'a>) -> Lowered<Option<Binding<'a>>> {
+    pub(super) fn binding(
+        &mut self,
+        name: &Name,
+        scope: &Scope<'a>,
+    ) -> Lowered<Option<Binding<'a>>> {
         match scope.binding(&name.text) {
             Some(Binding::Pending(expr)) => {
                 scope.bind(&name.text, Binding::InProgress);
@@ -97,7 +101,14 @@ impl<'a> Lowerer<'a> {
             _ => {}
         }
         if let Some(definition) = self.definitions.get(name.text.as_str()).copied() {
-            return self.apply_definition(span, &definition, function, arguments, parenthesis, scope);
+            return self.apply_definition(
+                span,
+                &definition,
+                function,
+                arguments,
+                parenthesis,
+                scope,
+            );
         }
         if RESERVED.contains(&name.text.as_str()) {
             return self.bare_property(span, function, arguments, parenthesis, scope);
@@ -134,11 +145,17 @@ impl<'a> Lowerer<'a> {
                 Err(self.report_unknown(qualifier, scope))
             }
             Err(reported) => {
-                let failed = matches!(self.meanings.get(qualifier.text.as_str()), Some(Meaning::Failed));
+                let failed = matches!(
+                    self.meanings.get(qualifier.text.as_str()),
+                    Some(Meaning::Failed)
+                );
                 if failed {
                     return Err(reported);
                 }
-                let message = format!("`{}` is not a curve, it has no `{}`", qualifier.text, function.name.text);
+                let message = format!(
+                    "`{}` is not a curve, it has no `{}`",
+                    qualifier.text, function.name.text
+                );
                 let finding = self.finding(scope, Code::E0107, qualifier.span, message);
                 Err(self.report(finding))
             }
@@ -155,18 +172,32 @@ impl<'a> Lowerer<'a> {
         scope: &Scope<'a>,
     ) -> Lowered<Value> {
         let name = &function.name;
-        if let DefinitionForm::Construction { parameters, body, bindings } = definition.form {
+        if let DefinitionForm::Construction {
+            parameters,
+            body,
+            bindings,
+        } = definition.form
+        {
             if function.primes > 0 {
                 return Err(self.report_prime(function, scope));
             }
-            return self.construct(span, definition.name, (parameters, body, bindings), arguments, parenthesis, scope);
+            return self.construct(
+                span,
+                definition.name,
+                (parameters, body, bindings),
+                arguments,
+                parenthesis,
+                scope,
+            );
         }
         match self.meaning(name, scope)? {
             Meaning::Curve(curve) => {
                 let at = self.argument(name, arguments, parenthesis, scope)?;
                 self.position(&curve, function.primes, at, span, scope)
             }
-            Meaning::Function(own) => self.call_function(&own, function, arguments, parenthesis, scope),
+            Meaning::Function(own) => {
+                self.call_function(&own, function, arguments, parenthesis, scope)
+            }
             Meaning::Surface(surface) => {
                 if function.primes > 0 {
                     return Err(self.report_prime(function, scope));
@@ -181,7 +212,10 @@ impl<'a> Lowerer<'a> {
     }
 
     fn report_prime(&mut self, function: &Reference, scope: &Scope<'_>) -> Reported {
-        let message = format!("`{}` depends on u and v, a prime is not enough", function.name.text);
+        let message = format!(
+            "`{}` depends on u and v, a prime is not enough",
+            function.name.text
+        );
         let finding = self.finding(scope, Code::E0107, function.span, message);
         self.report(finding.help("write `du(…)` or `dv(…)`"))
     }
@@ -198,26 +232,44 @@ impl<'a> Lowerer<'a> {
         let site = scope.site(reference.span);
         let zero = || Scalar::constant(site, Real::zero());
         let (u, v) = match function.parameters.as_slice() {
-            [Parameter::U] => (self.argument(&reference.name, arguments, parenthesis, scope)?, zero()),
-            [Parameter::V] => (zero(), self.argument(&reference.name, arguments, parenthesis, scope)?),
+            [Parameter::U] => (
+                self.argument(&reference.name, arguments, parenthesis, scope)?,
+                zero(),
+            ),
+            [Parameter::V] => (
+                zero(),
+                self.argument(&reference.name, arguments, parenthesis, scope)?,
+            ),
             both => {
                 if reference.primes > 0 {
                     return Err(self.report_prime(reference, scope));
                 }
-                let [first, second] = self.arguments::<2>(&reference.name, arguments, parenthesis, scope)?;
-                if both.first() == Some(&Parameter::U) { (first, second) } else { (second, first) }
+                let [first, second] =
+                    self.arguments::<2>(&reference.name, arguments, parenthesis, scope)?;
+                if both.first() == Some(&Parameter::U) {
+                    (first, second)
+                } else {
+                    (second, first)
+                }
             }
         };
         let own = function.parameters.first().copied().unwrap_or(Parameter::U);
         Ok(function.value.map(|value| {
-            let differentiated = (0..reference.primes)
-                .fold(value.clone(), |value, _| Scalar::new(site, Form::Partial(own, value)));
+            let differentiated = (0..reference.primes).fold(value.clone(), |value, _| {
+                Scalar::new(site, Form::Partial(own, value))
+            });
             differentiated.substitute(&u, &v)
         }))
     }
 
     /// The only argument, a scalar.
-    pub(super) fn argument(&mut self, name: &Name, arguments: &'a [Argument], parenthesis: Span, scope: &Scope<'a>) -> Lowered<Scalar> {
+    pub(super) fn argument(
+        &mut self,
+        name: &Name,
+        arguments: &'a [Argument],
+        parenthesis: Span,
+        scope: &Scope<'a>,
+    ) -> Lowered<Scalar> {
         let [only] = self.arguments::<1>(name, arguments, parenthesis, scope)?;
         Ok(only)
     }
@@ -231,13 +283,23 @@ impl<'a> Lowerer<'a> {
         scope: &Scope<'a>,
     ) -> Lowered<[Scalar; COUNT]> {
         self.check_arguments(name, COUNT, arguments, parenthesis, scope)?;
-        let values = arguments.iter().map(|own| self.scalar(&own.value, scope)).collect::<Vec<_>>();
+        let values = arguments
+            .iter()
+            .map(|own| self.scalar(&own.value, scope))
+            .collect::<Vec<_>>();
         let values = values.into_iter().collect::<Lowered<Vec<Scalar>>>()?;
         <[Scalar; COUNT]>::try_from(values).map_err(|_| Reported)
     }
 
     /// Reports a wrong number of arguments, and labels.
-    pub(super) fn check_arguments(&mut self, name: &Name, count: usize, arguments: &[Argument], parenthesis: Span, scope: &Scope<'_>) -> Lowered<()> {
+    pub(super) fn check_arguments(
+        &mut self,
+        name: &Name,
+        count: usize,
+        arguments: &[Argument],
+        parenthesis: Span,
+        scope: &Scope<'_>,
+    ) -> Lowered<()> {
         if let Some(label) = arguments.iter().find_map(|own| own.label.as_ref()) {
             let message = format!("`{}` has no argument `{}`", name.text, label.text);
             let finding = self.finding(scope, Code::E0107, label.span, message);
@@ -247,7 +309,11 @@ impl<'a> Lowerer<'a> {
             return Ok(());
         }
         let plural = if count == 1 { "" } else { "s" };
-        let message = format!("`{}` takes {count} argument{plural}, here are {}", name.text, arguments.len());
+        let message = format!(
+            "`{}` takes {count} argument{plural}, here are {}",
+            name.text,
+            arguments.len()
+        );
         let finding = self.finding(scope, Code::E0107, parenthesis, message);
         Err(self.report(finding))
     }
@@ -292,13 +358,29 @@ impl<'a> Lowerer<'a> {
         self.value(body, &inner)
     }
 
-    fn bind_once(&mut self, bound: &mut HashMap<String, Binding<'a>>, name: &Name, binding: Binding<'a>, scope: &Scope<'_>) -> Lowered<()> {
+    fn bind_once(
+        &mut self,
+        bound: &mut HashMap<String, Binding<'a>>,
+        name: &Name,
+        binding: Binding<'a>,
+        scope: &Scope<'_>,
+    ) -> Lowered<()> {
         if RESERVED.contains(&name.text.as_str()) {
-            let finding = self.finding(scope, Code::E0103, name.span, format!("`{}` is reserved", name.text));
+            let finding = self.finding(
+                scope,
+                Code::E0103,
+                name.span,
+                format!("`{}` is reserved", name.text),
+            );
             return Err(self.report(finding.help("choose another name")));
         }
         if bound.insert(name.text.clone(), binding).is_some() {
-            let finding = self.finding(scope, Code::E0102, name.span, format!("`{}` is declared twice", name.text));
+            let finding = self.finding(
+                scope,
+                Code::E0102,
+                name.span,
+                format!("`{}` is declared twice", name.text),
+            );
             return Err(self.report(finding));
         }
         Ok(())
@@ -306,12 +388,20 @@ impl<'a> Lowerer<'a> {
 
     /// An argument of a construction: a curve or a function under its name, or a value.
     fn hand_over(&mut self, expr: &'a Expr, scope: &Scope<'a>) -> Lowered<Binding<'a>> {
-        if let ExprKind::Reference(Reference { qualifier: None, name, primes: 0, .. }) = &expr.kind {
+        if let ExprKind::Reference(Reference {
+            qualifier: None,
+            name,
+            primes: 0,
+            ..
+        }) = &expr.kind
+        {
             if let Some(binding) = self.binding(name, scope)? {
                 return Ok(binding);
             }
             match self.definitions.get(name.text.as_str()).map(|own| own.form) {
-                Some(DefinitionForm::Curve { .. }) => return Ok(Binding::Curve(self.curve_named(name, scope)?)),
+                Some(DefinitionForm::Curve { .. }) => {
+                    return Ok(Binding::Curve(self.curve_named(name, scope)?));
+                }
                 Some(DefinitionForm::Function { .. }) => {
                     if let Meaning::Function(function) = self.meaning(name, scope)? {
                         return Ok(Binding::Function(function));

@@ -17,7 +17,14 @@ pub(super) const BUILT_IN: [&str; 12] = [
 
 impl<'a> Lowerer<'a> {
     /// A built-in function at its arguments.
-    pub(super) fn call_built_in(&mut self, span: Span, name: &'a Name, arguments: &'a [Argument], parenthesis: Span, scope: &Scope<'a>) -> Lowered<Value> {
+    pub(super) fn call_built_in(
+        &mut self,
+        span: Span,
+        name: &'a Name,
+        arguments: &'a [Argument],
+        parenthesis: Span,
+        scope: &Scope<'a>,
+    ) -> Lowered<Value> {
         let count = match name.text.as_str() {
             "cross" | "dot" | "offset" => 2,
             "matrix" => 3,
@@ -28,11 +35,17 @@ impl<'a> Lowerer<'a> {
         let site = scope.site(span);
         match name.text.as_str() {
             "cross" => {
-                let (a, b) = (self.vector(first, scope)?, self.vector(&arguments[1].value, scope)?);
+                let (a, b) = (
+                    self.vector(first, scope)?,
+                    self.vector(&arguments[1].value, scope)?,
+                );
                 Ok(Value::Vector(cross(site, &a, &b)))
             }
             "dot" => {
-                let (a, b) = (self.value(first, scope)?, self.value(&arguments[1].value, scope)?);
+                let (a, b) = (
+                    self.value(first, scope)?,
+                    self.value(&arguments[1].value, scope)?,
+                );
                 self.dot(span, &a, &b, scope)
             }
             "norm2" => {
@@ -58,18 +71,34 @@ impl<'a> Lowerer<'a> {
 
     fn dot(&mut self, span: Span, a: &Value, b: &Value, scope: &Scope<'_>) -> Lowered<Value> {
         let (left, right) = (a.components(), b.components());
-        let vectors = matches!((a, b), (Value::Vector(_), Value::Vector(_)) | (Value::Pair(_), Value::Pair(_)));
+        let vectors = matches!(
+            (a, b),
+            (Value::Vector(_), Value::Vector(_)) | (Value::Pair(_), Value::Pair(_))
+        );
         if !vectors {
-            let message = format!("the scalar product of {} and {}", a.type_name(), b.type_name());
+            let message = format!(
+                "the scalar product of {} and {}",
+                a.type_name(),
+                b.type_name()
+            );
             let finding = self.finding(scope, Code::E0106, span, message);
             return Err(self.report(finding.help("both must be vectors, or both pairs")));
         }
         let site = scope.site(span);
-        let terms = left.iter().zip(&right).map(|(l, r)| Scalar::product(site, vec![l.clone(), r.clone()]));
+        let terms = left
+            .iter()
+            .zip(&right)
+            .map(|(l, r)| Scalar::product(site, vec![l.clone(), r.clone()]));
         Ok(Value::Scalar(Scalar::sum(site, terms.collect())))
     }
 
-    fn partial(&mut self, parameter: Parameter, span: Span, of: &'a Expr, scope: &Scope<'a>) -> Lowered<Value> {
+    fn partial(
+        &mut self,
+        parameter: Parameter,
+        span: Span,
+        of: &'a Expr,
+        scope: &Scope<'a>,
+    ) -> Lowered<Value> {
         let site = scope.site(span);
         let value = self.value(of, scope)?;
         Ok(value.map(|own| Scalar::new(site, Form::Partial(parameter, own.clone()))))
@@ -87,14 +116,29 @@ impl<'a> Lowerer<'a> {
     }
 
     /// `length(c)`, `start(c)`, `end(c)`
-    fn curve_constant(&mut self, span: Span, name: &Name, of: &'a Expr, scope: &Scope<'a>) -> Lowered<Value> {
+    fn curve_constant(
+        &mut self,
+        span: Span,
+        name: &Name,
+        of: &'a Expr,
+        scope: &Scope<'a>,
+    ) -> Lowered<Value> {
         let curve = match &of.kind {
-            ExprKind::Reference(Reference { qualifier: None, name, primes: 0, .. }) => {
-                if scope.binding(&name.text).is_none() && !self.definitions.contains_key(name.text.as_str()) {
+            ExprKind::Reference(Reference {
+                qualifier: None,
+                name,
+                primes: 0,
+                ..
+            }) => {
+                if scope.binding(&name.text).is_none()
+                    && !self.definitions.contains_key(name.text.as_str())
+                {
                     return Err(self.report_unknown(name, scope));
                 }
                 let known = self.curve_named(name, scope);
-                if known.is_err() && matches!(self.meanings.get(name.text.as_str()), Some(Meaning::Failed)) {
+                if known.is_err()
+                    && matches!(self.meanings.get(name.text.as_str()), Some(Meaning::Failed))
+                {
                     return Err(Reported);
                 }
                 known.ok()
@@ -104,7 +148,8 @@ impl<'a> Lowerer<'a> {
         let Some(curve) = curve else {
             let message = format!("`{}` is a constant of a curve", name.text);
             let finding = self.finding(scope, Code::E0107, of.span, message);
-            return Err(self.report(finding.help(format!("give it the name of a curve: `{}(c)`", name.text))));
+            return Err(self
+                .report(finding.help(format!("give it the name of a curve: `{}(c)`", name.text))));
         };
         let value = match name.text.as_str() {
             "start" => curve.domain().start().clone(),
@@ -112,8 +157,11 @@ impl<'a> Lowerer<'a> {
             _ => match curve.length() {
                 Ok(length) => length,
                 Err(fault) => {
-                    let mut finding = self.finding(scope, fault.code(), span, fault.message(curve.name()));
-                    finding.notes.extend(fault.evidence(curve.name(), curve.parameter()));
+                    let mut finding =
+                        self.finding(scope, fault.code(), span, fault.message(curve.name()));
+                    finding
+                        .notes
+                        .extend(fault.evidence(curve.name(), curve.parameter()));
                     return Err(self.report(finding));
                 }
             },
@@ -122,11 +170,22 @@ impl<'a> Lowerer<'a> {
     }
 
     /// R + r N
-    fn offset(&mut self, span: Span, name: &Name, arguments: &'a [Argument], scope: &Scope<'a>) -> Lowered<Value> {
+    fn offset(
+        &mut self,
+        span: Span,
+        name: &Name,
+        arguments: &'a [Argument],
+        scope: &Scope<'a>,
+    ) -> Lowered<Value> {
         let surface = self.surface_argument(name, &arguments[0].value, scope)?;
         let distance = self.scalar(&arguments[1].value, scope)?;
         if distance.depends_on(Parameter::U) || distance.depends_on(Parameter::V) {
-            let finding = self.finding(scope, Code::E0108, arguments[1].value.span, "an offset has a constant distance");
+            let finding = self.finding(
+                scope,
+                Code::E0108,
+                arguments[1].value.span,
+                "an offset has a constant distance",
+            );
             return Err(self.report(finding));
         }
         let site = scope.site(span);
@@ -139,8 +198,18 @@ impl<'a> Lowerer<'a> {
     }
 
     /// A surface by its name, or any vector expression.
-    fn surface_argument(&mut self, function: &Name, of: &'a Expr, scope: &Scope<'a>) -> Lowered<Vector> {
-        if let ExprKind::Reference(Reference { qualifier: None, name, primes: 0, .. }) = &of.kind
+    fn surface_argument(
+        &mut self,
+        function: &Name,
+        of: &'a Expr,
+        scope: &Scope<'a>,
+    ) -> Lowered<Vector> {
+        if let ExprKind::Reference(Reference {
+            qualifier: None,
+            name,
+            primes: 0,
+            ..
+        }) = &of.kind
             && self.is_surface(name)
         {
             self.mentioned.push(name.text.clone());
@@ -149,7 +218,11 @@ impl<'a> Lowerer<'a> {
         match self.value(of, scope)? {
             Value::Vector(vector) => Ok(vector),
             other => {
-                let message = format!("`{}` applies to a surface, this is {}", function.text, other.type_name());
+                let message = format!(
+                    "`{}` applies to a surface, this is {}",
+                    function.text,
+                    other.type_name()
+                );
                 let finding = self.finding(scope, Code::E0106, of.span, message);
                 Err(self.report(finding))
             }

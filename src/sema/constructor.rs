@@ -17,7 +17,11 @@ impl<'a> Lowerer<'a> {
     }
 
     /// Reports a curve constructor where no curve is declared, or one of a later version.
-    pub(super) fn report_constructor(&mut self, name: &Name, scope: &Scope<'_>) -> Option<Reported> {
+    pub(super) fn report_constructor(
+        &mut self,
+        name: &Name,
+        scope: &Scope<'_>,
+    ) -> Option<Reported> {
         let finding = if kinds::RESERVED.contains(&name.text.as_str()) {
             let message = format!("`{}` is not in this version", name.text);
             self.finding(scope, Code::E0110, name.span, message)
@@ -32,12 +36,20 @@ impl<'a> Lowerer<'a> {
     }
 
     /// The arguments of a constructor, slot by slot.
-    pub(super) fn constructor_arguments(&mut self, kind: &Kind, arguments: &'a [Argument], parenthesis: Span) -> Lowered<Arguments> {
+    pub(super) fn constructor_arguments(
+        &mut self,
+        kind: &Kind,
+        arguments: &'a [Argument],
+        parenthesis: Span,
+    ) -> Lowered<Arguments> {
         let mut values = vec![None; kind.slots.len()];
         let mut position = 0;
         for argument in arguments {
             let slot = match &argument.label {
-                Some(label) => kind.slots.iter().position(|own| own.label == Some(label.text.as_str())),
+                Some(label) => kind
+                    .slots
+                    .iter()
+                    .position(|own| own.label == Some(label.text.as_str())),
                 None => {
                     position += 1;
                     (position - 1 < kind.slots.len() && kind.slots[position - 1].label.is_none())
@@ -45,15 +57,23 @@ impl<'a> Lowerer<'a> {
                 }
             };
             let Some(slot) = slot else {
-                let place = argument.label.as_ref().map_or(argument.value.span, |own| own.span);
+                let place = argument
+                    .label
+                    .as_ref()
+                    .map_or(argument.value.span, |own| own.span);
                 return Err(self.report_usage(kind, place, "this argument has no place here"));
             };
             if values[slot].is_some() {
-                return Err(self.report_usage(kind, argument.value.span, "this argument is given twice"));
+                return Err(self.report_usage(
+                    kind,
+                    argument.value.span,
+                    "this argument is given twice",
+                ));
             }
             values[slot] = Some(self.shaped(kind, &kind.slots[slot], &argument.value)?);
         }
-        let missing = |(slot, value): (&Slot, &Option<kinds::Value>)| value.is_none() && !slot.optional;
+        let missing =
+            |(slot, value): (&Slot, &Option<kinds::Value>)| value.is_none() && !slot.optional;
         if kind.slots.iter().zip(&values).any(missing) {
             return Err(self.report_usage(kind, parenthesis, "an argument is missing"));
         }
@@ -61,7 +81,8 @@ impl<'a> Lowerer<'a> {
     }
 
     fn report_usage(&mut self, kind: &Kind, span: Span, what: &str) -> Reported {
-        let finding = crate::diag::Diagnostic::new(Code::E0107, span, format!("`{}`: {what}", kind.name));
+        let finding =
+            crate::diag::Diagnostic::new(Code::E0107, span, format!("`{}`: {what}", kind.name));
         self.report(finding.help(format!("write {}", kind.usage)))
     }
 
@@ -73,19 +94,32 @@ impl<'a> Lowerer<'a> {
                 let entries = self.entries(kind, expr)?;
                 let points = entries.iter().map(|entry| self.constant_point(entry));
                 let points = points.collect::<Lowered<Vec<Vec<Real>>>>()?;
-                let length = if slot.shape == Shape::Pairs { 2 } else { points.first().map_or(2, Vec::len) };
+                let length = if slot.shape == Shape::Pairs {
+                    2
+                } else {
+                    points.first().map_or(2, Vec::len)
+                };
                 match points.iter().position(|own| own.len() != length) {
                     None => Ok(kinds::Value::Points(points)),
                     Some(index) => {
-                        let message = format!("a point with {} coordinates where the others have {length}", points[index].len());
-                        Err(self.report(crate::diag::Diagnostic::new(Code::E0106, entries[index].span, message)))
+                        let message = format!(
+                            "a point with {} coordinates where the others have {length}",
+                            points[index].len()
+                        );
+                        Err(self.report(crate::diag::Diagnostic::new(
+                            Code::E0106,
+                            entries[index].span,
+                            message,
+                        )))
                     }
                 }
             }
             Shape::Numbers => {
                 let entries = self.entries(kind, expr)?;
                 let numbers = entries.iter().map(|entry| self.constant_number(entry));
-                Ok(kinds::Value::Numbers(numbers.collect::<Lowered<Vec<Real>>>()?))
+                Ok(kinds::Value::Numbers(
+                    numbers.collect::<Lowered<Vec<Real>>>()?,
+                ))
             }
         }
     }
@@ -113,7 +147,11 @@ impl<'a> Lowerer<'a> {
                 .collect(),
             other => {
                 let message = format!("a point is needed here, this is {}", other.type_name());
-                Err(self.report(crate::diag::Diagnostic::new(Code::E0106, expr.span, message)))
+                Err(self.report(crate::diag::Diagnostic::new(
+                    Code::E0106,
+                    expr.span,
+                    message,
+                )))
             }
         }
     }

@@ -14,7 +14,14 @@ use super::value::Value;
 impl<'a> Lowerer<'a> {
     /// The curve that a declaration describes.
     pub(super) fn curve(&mut self, definition: &Definition<'a>) -> Lowered<Rc<Curve>> {
-        let DefinitionForm::Curve { role, parameter, plane, domain, value } = definition.form else {
+        let DefinitionForm::Curve {
+            role,
+            parameter,
+            plane,
+            domain,
+            value,
+        } = definition.form
+        else {
             return Err(super::lowerer::Reported);
         };
         let parameter = self.curve_parameter(role, parameter)?;
@@ -54,7 +61,10 @@ impl<'a> Lowerer<'a> {
             (Some(Parameter::U), Role::Profile | Role::Further) => Ok(Parameter::U),
             (Some(Parameter::V), Role::Sweep | Role::Further) => Ok(Parameter::V),
             _ => {
-                let message = format!("the parameter of this curve is {expected}, not `{}`", name.text);
+                let message = format!(
+                    "the parameter of this curve is {expected}, not `{}`",
+                    name.text
+                );
                 Err(self.report(Diagnostic::new(Code::E0109, name.span, message)))
             }
         }
@@ -79,12 +89,21 @@ impl<'a> Lowerer<'a> {
 
     /// The constructor call that a curve's value is, if it is one.
     fn constructor_call(&self, value: &'a Expr) -> Option<(&'a Name, &'a [Argument], Span)> {
-        let ExprKind::Apply { function, arguments, parenthesis } = &value.kind else {
+        let ExprKind::Apply {
+            function,
+            arguments,
+            parenthesis,
+        } = &value.kind
+        else {
             return None;
         };
         let name = &function.name;
         let plain = function.qualifier.is_none() && function.primes == 0;
-        (plain && self.constructor(name).is_some()).then_some((name, arguments.as_slice(), *parenthesis))
+        (plain && self.constructor(name).is_some()).then_some((
+            name,
+            arguments.as_slice(),
+            *parenthesis,
+        ))
     }
 
     fn constructed(
@@ -101,7 +120,9 @@ impl<'a> Lowerer<'a> {
         };
         let values = self.constructor_arguments(kind, arguments, parenthesis)?;
         let coordinates = (kind.build)(&values, domain).map_err(|what| {
-            self.report(Diagnostic::new(Code::E0208, span, what).help(format!("write {}", kind.usage)))
+            self.report(
+                Diagnostic::new(Code::E0208, span, what).help(format!("write {}", kind.usage)),
+            )
         })?;
         let pairs = coordinates.numerators.len() == 2;
         match coordinates.in_space(plane) {
@@ -115,14 +136,24 @@ impl<'a> Lowerer<'a> {
             Diagnostic::new(Code::E0208, span, "a curve given by pairs needs its plane")
                 .help("write `in xy`, `in xz` or `in yz` before the `=`")
         } else {
-            Diagnostic::new(Code::E0208, span, "a curve in a plane is given by pairs, this is a vector")
-                .help("give pairs, or leave out the plane")
+            Diagnostic::new(
+                Code::E0208,
+                span,
+                "a curve in a plane is given by pairs, this is a vector",
+            )
+            .help("give pairs, or leave out the plane")
         };
         self.report(finding)
     }
 
     /// A curve given by an expression in its parameter.
-    fn explicit(&mut self, value: &'a Expr, parameter: Parameter, plane: Option<curve::Plane>, domain: &curve::Interval) -> Lowered<Homogeneous> {
+    fn explicit(
+        &mut self,
+        value: &'a Expr,
+        parameter: Parameter,
+        plane: Option<curve::Plane>,
+        domain: &curve::Interval,
+    ) -> Lowered<Homogeneous> {
         let scope = Scope::of(&[parameter]);
         let lowered = self.value(value, &scope)?;
         let fractions = self.expand_on(&lowered, parameter, domain)?;
@@ -131,30 +162,52 @@ impl<'a> Lowerer<'a> {
                 let [first, second] = [plane.axes().0, plane.axes().1];
                 Axis::ALL.map(|axis| {
                     let index = [first, second].iter().position(|own| *own == axis);
-                    index.map_or_else(|| Expanded::constant(&Real::from(0)), |index| fractions[index].clone())
+                    index.map_or_else(
+                        || Expanded::constant(&Real::from(0)),
+                        |index| fractions[index].clone(),
+                    )
                 })
             }
-            (Value::Vector(_), None) => [fractions[0].clone(), fractions[1].clone(), fractions[2].clone()],
+            (Value::Vector(_), None) => [
+                fractions[0].clone(),
+                fractions[1].clone(),
+                fractions[2].clone(),
+            ],
             (Value::Vector(_), Some(plane)) => {
                 let (first, second) = plane.axes();
                 let across = |axis: &&Axis| **axis != first && **axis != second;
                 let other = Axis::ALL.iter().find(across).map_or(0, |axis| axis.index());
                 if !fractions[other].is_zero() {
-                    let message = format!("the {}-coordinate of this curve is not 0: it does not lie in its plane", Axis::ALL[other]);
+                    let message = format!(
+                        "the {}-coordinate of this curve is not 0: it does not lie in its plane",
+                        Axis::ALL[other]
+                    );
                     return Err(self.report(Diagnostic::new(Code::E0208, value.span, message)));
                 }
-                [fractions[0].clone(), fractions[1].clone(), fractions[2].clone()]
+                [
+                    fractions[0].clone(),
+                    fractions[1].clone(),
+                    fractions[2].clone(),
+                ]
             }
             (Value::Pair(_), None) => return Err(self.report_plane(true, value.span)),
             (other, _) => {
-                let message = format!("a curve is given by a pair or a vector, this is {}", other.type_name());
+                let message = format!(
+                    "a curve is given by a pair or a vector, this is {}",
+                    other.type_name()
+                );
                 return Err(self.report(Diagnostic::new(Code::E0106, value.span, message)));
             }
         };
         Homogeneous::from_fractions(&fractions, parameter).ok_or(super::lowerer::Reported)
     }
 
-    fn expand_on(&mut self, value: &Value, parameter: Parameter, domain: &curve::Interval) -> Lowered<Vec<Expanded>> {
+    fn expand_on(
+        &mut self,
+        value: &Value,
+        parameter: Parameter,
+        domain: &curve::Interval,
+    ) -> Lowered<Vec<Expanded>> {
         let mut rectangle = Domain::unit();
         match parameter {
             Parameter::U => rectangle.u = domain.clone(),
@@ -168,12 +221,21 @@ impl<'a> Lowerer<'a> {
     }
 
     /// A warning where numerator and denominator of a curve share a zero on the domain.
-    fn check_common_zero(&mut self, name: &Name, parameter: Parameter, domain: &curve::Interval, position: &Homogeneous) {
+    fn check_common_zero(
+        &mut self,
+        name: &Name,
+        parameter: Parameter,
+        domain: &curve::Interval,
+        position: &Homogeneous,
+    ) {
         if position.is_polynomial() {
             return;
         }
         if let Some(root) = position.common_zero(domain) {
-            let message = format!("numerators and denominator of `{}` are all zero at {parameter} = {root}", name.text);
+            let message = format!(
+                "numerators and denominator of `{}` are all zero at {parameter} = {root}",
+                name.text
+            );
             let finding = Diagnostic::new(Code::W1004, name.span, message);
             self.report(finding.note("the common factor cancels, the curve is sound there"));
         }

@@ -2,7 +2,9 @@ use std::rc::Rc;
 
 use crate::curve::{Curve, Interval, Parameter};
 use crate::diag::{Code, Diagnostic, Span};
-use crate::sweep::{Claim, Domain, Expectation, Form, Quality, Quantity, Relation, Scalar, SweptSurface};
+use crate::sweep::{
+    Claim, Domain, Expectation, Form, Quality, Quantity, Relation, Scalar, SweptSurface,
+};
 use crate::syntax::ast::{self, Argument, Expr, ExprKind, Name, Reference, Role};
 
 use super::definition::DefinitionForm;
@@ -31,7 +33,12 @@ impl<'a> Lowerer<'a> {
         }
     }
 
-    pub(super) fn define_surface(&mut self, name: &Name, domain: Option<&'a (ast::Interval, ast::Interval)>, value: &'a Expr) -> Lowered<SweptSurface> {
+    pub(super) fn define_surface(
+        &mut self,
+        name: &Name,
+        domain: Option<&'a (ast::Interval, ast::Interval)>,
+        value: &'a Expr,
+    ) -> Lowered<SweptSurface> {
         let given = match domain {
             Some((u, v)) => {
                 let (u, v) = (self.interval(u), self.interval(v));
@@ -42,7 +49,10 @@ impl<'a> Lowerer<'a> {
         let coordinates = match self.value(value, &Scope::surface())? {
             Value::Vector(vector) => vector,
             other => {
-                let message = format!("a surface is a vector expression, this is {}", other.type_name());
+                let message = format!(
+                    "a surface is a vector expression, this is {}",
+                    other.type_name()
+                );
                 return Err(self.report(Diagnostic::new(Code::E0302, value.span, message)));
             }
         };
@@ -53,17 +63,29 @@ impl<'a> Lowerer<'a> {
                 v: self.domain_of_curves(name, &coordinates, Parameter::V)?,
             },
         };
-        Ok(SweptSurface { name: name.text.clone(), span: name.span, domain, coordinates })
+        Ok(SweptSurface {
+            name: name.text.clone(),
+            span: name.span,
+            domain,
+            coordinates,
+        })
     }
 
     /// The domain of the profile (sweep curve) that a surface uses, else of the curves it uses in
     /// that parameter, else [0, 1].
-    fn domain_of_curves(&mut self, name: &Name, coordinates: &[Scalar; 3], parameter: Parameter) -> Lowered<Interval> {
+    fn domain_of_curves(
+        &mut self,
+        name: &Name,
+        coordinates: &[Scalar; 3],
+        parameter: Parameter,
+    ) -> Lowered<Interval> {
         let mut used: Vec<Rc<Curve>> = Vec::new();
         for own in coordinates {
             own.visit_curves(&mut |curve, argument| {
                 let same = matches!(argument.form(), Form::Parameter(own) if *own == parameter);
-                if (same || curve.parameter() == parameter) && !used.iter().any(|known| Rc::ptr_eq(known, curve)) {
+                if (same || curve.parameter() == parameter)
+                    && !used.iter().any(|known| Rc::ptr_eq(known, curve))
+                {
                     used.push(Rc::clone(curve));
                 }
             });
@@ -109,7 +131,12 @@ impl<'a> Lowerer<'a> {
             None => self.quality(left, surfaces)?,
             Some((relation, right)) => {
                 let sides = (self.side(left, surfaces), self.side(right, surfaces));
-                self.comparison((sides.0?, left), relation_of(*relation), (sides.1?, right), span)?
+                self.comparison(
+                    (sides.0?, left),
+                    relation_of(*relation),
+                    (sides.1?, right),
+                    span,
+                )?
             }
         };
         let mut mentioned = Vec::new();
@@ -118,7 +145,12 @@ impl<'a> Lowerer<'a> {
                 mentioned.push(index);
             }
         }
-        Ok(Expectation { text, span, surfaces: mentioned, claim })
+        Ok(Expectation {
+            text,
+            span,
+            surfaces: mentioned,
+            claim,
+        })
     }
 
     fn quality(&mut self, expr: &'a Expr, surfaces: &[SweptSurface]) -> Lowered<Claim> {
@@ -138,8 +170,16 @@ impl<'a> Lowerer<'a> {
                 return Ok(Claim::Quality { quality, surface });
             }
         }
-        let finding = Diagnostic::new(Code::E0107, expr.span, "an expectation compares two sides or names a quality of a surface");
-        Err(self.report(finding.help("write `A == B`, `regular(R)`, `rational_offset(R)` or `positive_weights(R)`")))
+        let finding = Diagnostic::new(
+            Code::E0107,
+            expr.span,
+            "an expectation compares two sides or names a quality of a surface",
+        );
+        Err(self.report(
+            finding.help(
+                "write `A == B`, `regular(R)`, `rational_offset(R)` or `positive_weights(R)`",
+            ),
+        ))
     }
 
     fn side(&mut self, expr: &'a Expr, surfaces: &[SweptSurface]) -> Lowered<Side> {
@@ -151,7 +191,10 @@ impl<'a> Lowerer<'a> {
                 "bidegree" => {
                     self.check_arguments(name, 1, arguments, parenthesis, &scope)?;
                     let (surface, coordinate) = self.surface_of(&arguments[0].value, surfaces)?;
-                    return Ok(Side::Quantity(Quantity::BiDegree { surface, coordinate }));
+                    return Ok(Side::Quantity(Quantity::BiDegree {
+                        surface,
+                        coordinate,
+                    }));
                 }
                 "common_factor" => {
                     self.check_arguments(name, 1, arguments, parenthesis, &scope)?;
@@ -167,8 +210,18 @@ impl<'a> Lowerer<'a> {
     }
 
     /// The surface, by index, that `R` or `R.W` names, and the coordinate.
-    fn surface_of(&mut self, expr: &'a Expr, surfaces: &[SweptSurface]) -> Lowered<(usize, Option<usize>)> {
-        let ExprKind::Reference(Reference { qualifier, name, primes: 0, .. }) = &expr.kind else {
+    fn surface_of(
+        &mut self,
+        expr: &'a Expr,
+        surfaces: &[SweptSurface],
+    ) -> Lowered<(usize, Option<usize>)> {
+        let ExprKind::Reference(Reference {
+            qualifier,
+            name,
+            primes: 0,
+            ..
+        }) = &expr.kind
+        else {
             return Err(self.report_not_surface(expr.span));
         };
         let surface = qualifier.as_ref().unwrap_or(name);
@@ -181,12 +234,17 @@ impl<'a> Lowerer<'a> {
         }
         let coordinate = match qualifier {
             None => None,
-            Some(_) => match ["W", "X", "Y", "Z"].iter().position(|own| *own == name.text) {
+            Some(_) => match ["W", "X", "Y", "Z"]
+                .iter()
+                .position(|own| *own == name.text)
+            {
                 Some(index) => Some(index),
                 None => {
                     let message = format!("a surface has no coordinate `{}`", name.text);
                     let finding = Diagnostic::new(Code::E0111, name.span, message);
-                    return Err(self.report(finding.help("its homogeneous coordinates are W, X, Y and Z")));
+                    return Err(
+                        self.report(finding.help("its homogeneous coordinates are W, X, Y and Z"))
+                    );
                 }
             },
         };
@@ -210,38 +268,72 @@ impl<'a> Lowerer<'a> {
         self.report(finding.help("write `R`, or `R.W` for the bidegree of a coordinate"))
     }
 
-    fn comparison(&mut self, left: (Side, &Expr), relation: Relation, right: (Side, &Expr), span: Span) -> Lowered<Claim> {
+    fn comparison(
+        &mut self,
+        left: (Side, &Expr),
+        relation: Relation,
+        right: (Side, &Expr),
+        span: Span,
+    ) -> Lowered<Claim> {
         let (left_span, right_span) = (left.1.span, right.1.span);
         let mismatch = |own: &mut Self, what: String| {
             let finding = Diagnostic::new(Code::E0106, span, what);
-            Err(own.report(finding.related(left_span, "one side").related(right_span, "the other")))
+            Err(own.report(
+                finding
+                    .related(left_span, "one side")
+                    .related(right_span, "the other"),
+            ))
         };
         let claim = match (left.0, right.0) {
             (Side::Value(l), Side::Value(r)) => {
                 if std::mem::discriminant(&l) != std::mem::discriminant(&r) {
-                    return mismatch(self, format!("{} is compared with {}", l.type_name(), r.type_name()));
+                    return mismatch(
+                        self,
+                        format!("{} is compared with {}", l.type_name(), r.type_name()),
+                    );
                 }
                 if relation.is_order() && !matches!(l, Value::Scalar(_)) {
-                    return mismatch(self, format!("{}s have no order", l.type_name().trim_start_matches("a ")));
+                    return mismatch(
+                        self,
+                        format!("{}s have no order", l.type_name().trim_start_matches("a ")),
+                    );
                 }
-                let (l, r) = (Quantity::Value(l.components()), Quantity::Value(r.components()));
-                Claim::Comparison { left: l, relation, right: r }
+                let (l, r) = (
+                    Quantity::Value(l.components()),
+                    Quantity::Value(r.components()),
+                );
+                Claim::Comparison {
+                    left: l,
+                    relation,
+                    right: r,
+                }
             }
             (l, r) => {
                 let (l, r) = (quantity(l), quantity(r));
                 let sound = match (&l, &r) {
-                    (Quantity::BiDegree { .. }, Quantity::Value(parts)) | (Quantity::Value(parts), Quantity::BiDegree { .. }) => parts.len() == 2,
-                    (Quantity::CommonFactor { .. }, Quantity::Value(parts)) | (Quantity::Value(parts), Quantity::CommonFactor { .. }) => parts.len() == 1,
-                    (Quantity::BiDegree { .. }, Quantity::BiDegree { .. }) | (Quantity::CommonFactor { .. }, Quantity::CommonFactor { .. }) => true,
+                    (Quantity::BiDegree { .. }, Quantity::Value(parts))
+                    | (Quantity::Value(parts), Quantity::BiDegree { .. }) => parts.len() == 2,
+                    (Quantity::CommonFactor { .. }, Quantity::Value(parts))
+                    | (Quantity::Value(parts), Quantity::CommonFactor { .. }) => parts.len() == 1,
+                    (Quantity::BiDegree { .. }, Quantity::BiDegree { .. })
+                    | (Quantity::CommonFactor { .. }, Quantity::CommonFactor { .. }) => true,
                     _ => false,
                 };
                 if !sound {
                     return mismatch(self, "these two cannot be compared: a bidegree is a pair, a common factor a polynomial".to_owned());
                 }
                 if relation.is_order() {
-                    return mismatch(self, "bidegrees and common factors are equal or not, they have no order".to_owned());
+                    return mismatch(
+                        self,
+                        "bidegrees and common factors are equal or not, they have no order"
+                            .to_owned(),
+                    );
                 }
-                Claim::Comparison { left: l, relation, right: r }
+                Claim::Comparison {
+                    left: l,
+                    relation,
+                    right: r,
+                }
             }
         };
         Ok(claim)
@@ -270,7 +362,13 @@ fn relation_of(relation: ast::Relation) -> Relation {
 fn plain_call(expr: &Expr) -> Option<(&Name, &[Argument], Span)> {
     match &expr.kind {
         ExprKind::Apply {
-            function: Reference { qualifier: None, name, primes: 0, .. },
+            function:
+                Reference {
+                    qualifier: None,
+                    name,
+                    primes: 0,
+                    ..
+                },
             arguments,
             parenthesis,
         } => Some((name, arguments, *parenthesis)),

@@ -35,7 +35,11 @@ impl<'a> Lowerer<'a> {
                 _ => self.power(expr.span, base, exponent, scope),
             },
             ExprKind::Reference(reference) => self.reference(reference, scope),
-            ExprKind::Apply { function, arguments, parenthesis } => {
+            ExprKind::Apply {
+                function,
+                arguments,
+                parenthesis,
+            } => {
                 if self.applies(function, scope) {
                     self.apply(expr.span, function, arguments, *parenthesis, scope)
                 } else {
@@ -52,7 +56,9 @@ impl<'a> Lowerer<'a> {
             ExprKind::Tuple(entries) => self.tuple(expr.span, entries, scope),
             ExprKind::List(_) => {
                 let finding = self.finding(scope, Code::E0106, expr.span, "a list is no value");
-                Err(self.report(finding.help("lists are arguments of `bezier` and other curve constructors")))
+                Err(self.report(
+                    finding.help("lists are arguments of `bezier` and other curve constructors"),
+                ))
             }
             ExprKind::Group(inner) => self.value(inner, scope),
         }
@@ -92,7 +98,12 @@ impl<'a> Lowerer<'a> {
         match Expander::new(&domain, limits).constant(scalar) {
             Ok(Some(number)) => Ok(number),
             Ok(None) => {
-                let finding = self.finding(scope, Code::E0108, scalar.span(), "a constant is needed here");
+                let finding = self.finding(
+                    scope,
+                    Code::E0108,
+                    scalar.span(),
+                    "a constant is needed here",
+                );
                 Err(self.report(finding.label("this depends on u or v")))
             }
             Err(finding) => Err(self.report(*finding)),
@@ -102,7 +113,10 @@ impl<'a> Lowerer<'a> {
     fn literal(&mut self, text: &str, span: Span, scope: &Scope<'_>) -> Lowered<Value> {
         let limit = self.sources.limits.exponent;
         match Rational::from_literal(text, limit) {
-            Some(number) => Ok(Value::Scalar(Scalar::constant(scope.site(span), Real::from(number)))),
+            Some(number) => Ok(Value::Scalar(Scalar::constant(
+                scope.site(span),
+                Real::from(number),
+            ))),
             None => {
                 let message = format!("the exponent of this number exceeds {limit}");
                 let finding = self.finding(scope, Code::E0504, span, message);
@@ -111,7 +125,12 @@ impl<'a> Lowerer<'a> {
         }
     }
 
-    fn sum(&mut self, expr: &'a Expr, terms: &'a [(Sign, Expr)], scope: &Scope<'a>) -> Lowered<Value> {
+    fn sum(
+        &mut self,
+        expr: &'a Expr,
+        terms: &'a [(Sign, Expr)],
+        scope: &Scope<'a>,
+    ) -> Lowered<Value> {
         let mut values = Vec::with_capacity(terms.len());
         let mut failed = None;
         for (sign, term) in terms {
@@ -142,7 +161,9 @@ impl<'a> Lowerer<'a> {
         } else {
             format!("{other} is added to {kind}")
         };
-        let finding = self.finding(scope, Code::E0106, at, message).label(format!("this is {other}"));
+        let finding = self
+            .finding(scope, Code::E0106, at, message)
+            .label(format!("this is {other}"));
         let finding = if index == 0 || scope.frame.is_some() {
             finding
         } else {
@@ -151,12 +172,25 @@ impl<'a> Lowerer<'a> {
         Err(self.report(finding))
     }
 
-    pub(super) fn power(&mut self, span: Span, base: &'a Expr, exponent: &'a Expr, scope: &Scope<'a>) -> Lowered<Value> {
+    pub(super) fn power(
+        &mut self,
+        span: Span,
+        base: &'a Expr,
+        exponent: &'a Expr,
+        scope: &Scope<'a>,
+    ) -> Lowered<Value> {
         let value = self.value(base, scope)?;
         self.power_of(span, base.span, value, exponent, scope)
     }
 
-    pub(super) fn power_of(&mut self, span: Span, at: Span, value: Value, exponent: &'a Expr, scope: &Scope<'a>) -> Lowered<Value> {
+    pub(super) fn power_of(
+        &mut self,
+        span: Span,
+        at: Span,
+        value: Value,
+        exponent: &'a Expr,
+        scope: &Scope<'a>,
+    ) -> Lowered<Value> {
         let exponent = self.exponent(exponent, scope)?;
         let Value::Scalar(base_scalar) = value else {
             let message = format!("only a scalar has powers, this is {}", value.type_name());
@@ -170,11 +204,20 @@ impl<'a> Lowerer<'a> {
                 return Err(self.report(finding.label("zero to a negative power")));
             }
             if number.bits().saturating_mul(exponent.unsigned_abs()) > limit {
-                let finding = self.finding(scope, Code::E0507, span, format!("this number has more than {limit} bits"));
+                let finding = self.finding(
+                    scope,
+                    Code::E0507,
+                    span,
+                    format!("this number has more than {limit} bits"),
+                );
                 return Err(self.report(finding.help("raise the limit with `--max-bits`")));
             }
         }
-        Ok(Value::Scalar(Scalar::power(scope.site(span), base_scalar, exponent)))
+        Ok(Value::Scalar(Scalar::power(
+            scope.site(span),
+            base_scalar,
+            exponent,
+        )))
     }
 
     fn exponent(&mut self, expr: &'a Expr, scope: &Scope<'a>) -> Lowered<i64> {
@@ -189,7 +232,12 @@ impl<'a> Lowerer<'a> {
                 Err(self.report(finding.help("write `sqrt(…)` for a square root")))
             }
             _ => {
-                let finding = self.finding(scope, Code::E0504, expr.span, format!("this exponent exceeds {limit}"));
+                let finding = self.finding(
+                    scope,
+                    Code::E0504,
+                    expr.span,
+                    format!("this exponent exceeds {limit}"),
+                );
                 Err(self.report(finding.help("raise the limit with `--max-exponent`")))
             }
         }
@@ -205,13 +253,19 @@ impl<'a> Lowerer<'a> {
         self.tuple_of(span, values, scope)
     }
 
-    pub(super) fn tuple_of(&mut self, span: Span, values: Vec<Scalar>, scope: &Scope<'a>) -> Lowered<Value> {
+    pub(super) fn tuple_of(
+        &mut self,
+        span: Span,
+        values: Vec<Scalar>,
+        scope: &Scope<'a>,
+    ) -> Lowered<Value> {
         match <[Scalar; 3]>::try_from(values) {
             Ok(vector) => Ok(Value::Vector(vector)),
             Err(values) => match <[Scalar; 2]>::try_from(values) {
                 Ok(pair) => Ok(Value::Pair(pair)),
                 Err(values) => {
-                    let message = format!("{} entries: a pair has two, a vector three", values.len());
+                    let message =
+                        format!("{} entries: a pair has two, a vector three", values.len());
                     let finding = self.finding(scope, Code::E0106, span, message);
                     Err(self.report(finding))
                 }
@@ -220,7 +274,12 @@ impl<'a> Lowerer<'a> {
     }
 
     /// `a.x` of a value.
-    pub(super) fn component(&mut self, base: &Value, name: &Name, scope: &Scope<'_>) -> Lowered<Value> {
+    pub(super) fn component(
+        &mut self,
+        base: &Value,
+        name: &Name,
+        scope: &Scope<'_>,
+    ) -> Lowered<Value> {
         let index = match name.text.as_str() {
             "x" => Some(Axis::X),
             "y" => Some(Axis::Y),
@@ -229,22 +288,32 @@ impl<'a> Lowerer<'a> {
         };
         let components = base.components();
         match index.and_then(|axis| components.get(axis.index())) {
-            Some(own) if matches!(base, Value::Pair(_) | Value::Vector(_)) => Ok(Value::Scalar(own.clone())),
+            Some(own) if matches!(base, Value::Pair(_) | Value::Vector(_)) => {
+                Ok(Value::Scalar(own.clone()))
+            }
             _ => {
                 let message = format!("{} has no component `{}`", base.type_name(), name.text);
                 let finding = self.finding(scope, Code::E0111, name.span, message);
-                Err(self.report(finding.help("a vector has the components x, y and z, a pair x and y")))
+                Err(self
+                    .report(finding.help("a vector has the components x, y and z, a pair x and y")))
             }
         }
     }
 
     /// A name without a parenthesis.
-    pub(super) fn reference(&mut self, reference: &'a Reference, scope: &Scope<'a>) -> Lowered<Value> {
+    pub(super) fn reference(
+        &mut self,
+        reference: &'a Reference,
+        scope: &Scope<'a>,
+    ) -> Lowered<Value> {
         let name = &reference.name;
         if let Some(qualifier) = &reference.qualifier {
             if let Ok(curve) = self.curve_named(qualifier, scope) {
                 let parameter = curve.parameter();
-                let help = format!("write `{}({parameter})`", self.sources.map.slice(reference.span));
+                let help = format!(
+                    "write `{}({parameter})`",
+                    self.sources.map.slice(reference.span)
+                );
                 let message = format!("`{}` of a curve needs an argument", name.text);
                 let finding = self.finding(scope, Code::E0107, reference.span, message);
                 return Err(self.report(finding.help(help)));
@@ -265,13 +334,20 @@ impl<'a> Lowerer<'a> {
     fn named_value(&mut self, name: &Name, scope: &Scope<'a>) -> Lowered<Value> {
         match self.binding(name, scope)? {
             Some(Binding::Value(value)) => return Ok(value),
-            Some(Binding::Function(function)) => return self.bare_function(&function.parameters, &function.value, name, scope),
-            Some(Binding::Curve(curve)) => return Err(self.report_bare_curve(name, curve.parameter(), scope)),
+            Some(Binding::Function(function)) => {
+                return self.bare_function(&function.parameters, &function.value, name, scope);
+            }
+            Some(Binding::Curve(curve)) => {
+                return Err(self.report_bare_curve(name, curve.parameter(), scope));
+            }
             _ => {}
         }
         if let Some(parameter) = parameter_of(&name.text) {
             if scope.allows(parameter) {
-                return Ok(Value::Scalar(Scalar::new(scope.site(name.span), Form::Parameter(parameter))));
+                return Ok(Value::Scalar(Scalar::new(
+                    scope.site(name.span),
+                    Form::Parameter(parameter),
+                )));
             }
             let message = format!("`{}` is not a parameter here", name.text);
             let finding = self.finding(scope, Code::E0109, name.span, message);
@@ -284,24 +360,40 @@ impl<'a> Lowerer<'a> {
         }
         if let Some(axis) = ["i", "j", "k"].iter().position(|own| *own == name.text) {
             let site = scope.site(name.span);
-            let component = |index: usize| Scalar::constant(site, Real::from(i64::from(index == axis)));
+            let component =
+                |index: usize| Scalar::constant(site, Real::from(i64::from(index == axis)));
             return Ok(Value::Vector([component(0), component(1), component(2)]));
         }
         if RESERVED.contains(&name.text.as_str()) {
-            let message = format!("`{}` is a property of curves and needs an argument", name.text);
+            let message = format!(
+                "`{}` is a property of curves and needs an argument",
+                name.text
+            );
             let finding = self.finding(scope, Code::E0107, name.span, message);
-            return Err(self.report(finding.help(format!("write `{0}(u)`, `{0}(v)` or `c.{0}(v)`", name.text))));
+            return Err(self.report(
+                finding.help(format!("write `{0}(u)`, `{0}(v)` or `c.{0}(v)`", name.text)),
+            ));
         }
         if !self.definitions.contains_key(name.text.as_str()) {
             return Err(self.report_unknown(name, scope));
         }
         match self.definitions[name.text.as_str()].form {
             super::definition::DefinitionForm::Construction { .. } => {
-                let finding = self.finding(scope, Code::E0107, name.span, format!("the construction `{}` needs its arguments", name.text));
+                let finding = self.finding(
+                    scope,
+                    Code::E0107,
+                    name.span,
+                    format!("the construction `{}` needs its arguments", name.text),
+                );
                 return Err(self.report(finding));
             }
             super::definition::DefinitionForm::Surface { .. } => {
-                let finding = self.finding(scope, Code::E0107, name.span, format!("the surface `{}` needs its arguments", name.text));
+                let finding = self.finding(
+                    scope,
+                    Code::E0107,
+                    name.span,
+                    format!("the surface `{}` needs its arguments", name.text),
+                );
                 return Err(self.report(finding.help(format!("write `{}(u, v)`", name.text))));
             }
             _ => {}
@@ -311,27 +403,50 @@ impl<'a> Lowerer<'a> {
                 let site = scope.site(name.span);
                 Ok(value.map(|own| Scalar::new(site, own.form().clone())))
             }
-            Meaning::Function(function) => self.bare_function(&function.parameters, &function.value, name, scope),
+            Meaning::Function(function) => {
+                self.bare_function(&function.parameters, &function.value, name, scope)
+            }
             Meaning::Curve(curve) => Err(self.report_bare_curve(name, curve.parameter(), scope)),
             Meaning::Surface(_) | Meaning::InProgress | Meaning::Failed => Err(Reported),
         }
     }
 
-    fn bare_function(&mut self, parameters: &[crate::curve::Parameter], value: &Value, name: &Name, scope: &Scope<'_>) -> Lowered<Value> {
-        match parameters.iter().find(|parameter| !scope.allows(**parameter)) {
+    fn bare_function(
+        &mut self,
+        parameters: &[crate::curve::Parameter],
+        value: &Value,
+        name: &Name,
+        scope: &Scope<'_>,
+    ) -> Lowered<Value> {
+        match parameters
+            .iter()
+            .find(|parameter| !scope.allows(**parameter))
+        {
             None => Ok(value.clone()),
             Some(missing) => {
-                let message = format!("`{}` depends on `{missing}`, which is not a parameter here", name.text);
+                let message = format!(
+                    "`{}` depends on `{missing}`, which is not a parameter here",
+                    name.text
+                );
                 let finding = self.finding(scope, Code::E0109, name.span, message);
                 Err(self.report(finding))
             }
         }
     }
 
-    fn report_bare_curve(&mut self, name: &Name, parameter: crate::curve::Parameter, scope: &Scope<'_>) -> Reported {
+    fn report_bare_curve(
+        &mut self,
+        name: &Name,
+        parameter: crate::curve::Parameter,
+        scope: &Scope<'_>,
+    ) -> Reported {
         let message = format!("the curve `{}` needs an argument", name.text);
         let finding = self.finding(scope, Code::E0107, name.span, message);
-        self.report(finding.fix(name.span, format!("{}({parameter})", name.text)).help("give the parameter"))
+        self.report(
+            finding
+                .fix(name.span, format!("{}({parameter})", name.text))
+                .help("give the parameter"),
+        )
     }
 
     /// Reports a name that nothing declares, with the nearest spelling that is declared.
@@ -339,16 +454,26 @@ impl<'a> Lowerer<'a> {
         if self.broken.contains(&name.text.as_str()) {
             return Reported;
         }
-        let finding = self.finding(scope, Code::E0101, name.span, format!("`{}` is not declared", name.text));
+        let finding = self.finding(
+            scope,
+            Code::E0101,
+            name.span,
+            format!("`{}` is not declared", name.text),
+        );
         let finding = match self.nearest(&name.text, scope) {
-            Some(near) => finding.help(format!("did you mean `{near}`?")).fix(name.span, near),
+            Some(near) => finding
+                .help(format!("did you mean `{near}`?"))
+                .fix(name.span, near),
             None => finding,
         };
         self.report(finding)
     }
 
     fn nearest(&self, name: &str, scope: &Scope<'_>) -> Option<String> {
-        let local = scope.frame.as_ref().map(|frame| frame.bindings.borrow().keys().cloned().collect::<Vec<_>>());
+        let local = scope
+            .frame
+            .as_ref()
+            .map(|frame| frame.bindings.borrow().keys().cloned().collect::<Vec<_>>());
         let declared = self.definitions.keys().map(|own| (*own).to_owned());
         let built_in = super::call::BUILT_IN.iter().map(|own| (*own).to_owned());
         let limit = name.chars().count().div_ceil(3);

@@ -7,10 +7,10 @@ use crate::number::{Real, Unit};
 use crate::sweep::SweptSurface;
 use crate::syntax::ast::{Declaration, Document, Expr, Item, Name, Role};
 
+use super::Program;
 use super::definition::{Definition, DefinitionForm};
 use super::scope::{Function, Scope};
 use super::value::Value;
-use super::Program;
 
 /// The names that the language keeps for properties, parameters and unit vectors.
 pub(super) const RESERVED: [&str; 14] = [
@@ -88,7 +88,12 @@ impl<'a> Lowerer<'a> {
             depth: 0,
             mentioned: Vec::new(),
             cusps_reported: Vec::new(),
-            broken: sources.documents.iter().flat_map(|own| &own.broken).map(|own| own.text.as_str()).collect(),
+            broken: sources
+                .documents
+                .iter()
+                .flat_map(|own| &own.broken)
+                .map(|own| own.text.as_str())
+                .collect(),
         }
     }
 
@@ -99,13 +104,22 @@ impl<'a> Lowerer<'a> {
     }
 
     /// A finding about an expression; inside a construction it stands where that is used.
-    pub(super) fn finding(&self, scope: &Scope<'_>, code: Code, span: Span, message: impl Into<String>) -> Diagnostic {
+    pub(super) fn finding(
+        &self,
+        scope: &Scope<'_>,
+        code: Code,
+        span: Span,
+        message: impl Into<String>,
+    ) -> Diagnostic {
         let site = scope.site(span);
         let finding = Diagnostic::new(code, site, message);
         match &scope.frame {
             Some(frame) if site != span => {
                 let text = self.sources.map.slice(span);
-                finding.related(span, format!("`{}` needs `{text}` here", frame.construction))
+                finding.related(
+                    span,
+                    format!("`{}` needs `{text}` here", frame.construction),
+                )
             }
             _ => finding,
         }
@@ -148,17 +162,28 @@ impl<'a> Lowerer<'a> {
             return;
         };
         if RESERVED.contains(&name.text.as_str()) {
-            let finding = Diagnostic::new(Code::E0103, name.span, format!("`{}` is reserved", name.text))
-                .label(reserved_meaning(&name.text))
-                .help("choose another name");
+            let finding = Diagnostic::new(
+                Code::E0103,
+                name.span,
+                format!("`{}` is reserved", name.text),
+            )
+            .label(reserved_meaning(&name.text))
+            .help("choose another name");
             self.report(finding);
             return;
         }
-        let definition = Definition { name, form, library };
+        let definition = Definition {
+            name,
+            form,
+            library,
+        };
         match self.definitions.get(name.text.as_str()) {
             Some(earlier) if earlier.library => {
                 if matches!(form, DefinitionForm::Construction { .. }) {
-                    let message = format!("`{}` replaces the construction of the standard library", name.text);
+                    let message = format!(
+                        "`{}` replaces the construction of the standard library",
+                        name.text
+                    );
                     self.report(Diagnostic::new(Code::W1002, name.span, message));
                 }
                 self.definitions.insert(&name.text, definition);
@@ -170,7 +195,11 @@ impl<'a> Lowerer<'a> {
                     format!("`{}` is declared twice", name.text),
                 );
                 let first = earlier.span();
-                self.report(finding.label("again here").related(first, "first declared here"));
+                self.report(
+                    finding
+                        .label("again here")
+                        .related(first, "first declared here"),
+                );
             }
             None => {
                 self.definitions.insert(&name.text, definition);
@@ -182,7 +211,10 @@ impl<'a> Lowerer<'a> {
         let Some(root) = self.sources.documents.first() else {
             return Program::default();
         };
-        let mut program = Program { unit: self.unit(), ..Program::default() };
+        let mut program = Program {
+            unit: self.unit(),
+            ..Program::default()
+        };
         self.check_every_definition();
         for item in &root.items {
             if let Declaration::Surface { name, .. } = &item.declaration {
@@ -195,8 +227,14 @@ impl<'a> Lowerer<'a> {
         for item in &root.items {
             if let Declaration::Expect { left, relation } = &item.declaration {
                 let text = self.sources.map.slice(item.span);
-                let text = text.strip_prefix("expect").unwrap_or(text).trim().to_owned();
-                if let Ok(expectation) = self.expectation(text, item.span, left, relation.as_ref(), &program.surfaces) {
+                let text = text
+                    .strip_prefix("expect")
+                    .unwrap_or(text)
+                    .trim()
+                    .to_owned();
+                if let Ok(expectation) =
+                    self.expectation(text, item.span, left, relation.as_ref(), &program.surfaces)
+                {
                     program.expectations.push(expectation);
                 }
             }
@@ -211,7 +249,12 @@ impl<'a> Lowerer<'a> {
             if let Some((name, form)) = definition_of(&item.declaration) {
                 let known = self.definitions.get(name.text.as_str());
                 let own = known.is_some_and(|known| known.span() == name.span);
-                if own && !matches!(form, DefinitionForm::Construction { .. } | DefinitionForm::Surface { .. }) {
+                if own
+                    && !matches!(
+                        form,
+                        DefinitionForm::Construction { .. } | DefinitionForm::Surface { .. }
+                    )
+                {
                     let _ = self.meaning(name, &Scope::constant());
                 }
             }
@@ -220,19 +263,28 @@ impl<'a> Lowerer<'a> {
 
     fn unit(&mut self) -> Unit {
         let mut chosen: Option<(Unit, Span)> = None;
-        let items = self.sources.documents.iter().flat_map(|document| &document.items);
+        let items = self
+            .sources
+            .documents
+            .iter()
+            .flat_map(|document| &document.items);
         for item in items {
             let Declaration::Unit { name } = &item.declaration else {
                 continue;
             };
             let Some(unit) = Unit::from_symbol(&name.text) else {
-                let finding = Diagnostic::new(Code::E0101, name.span, format!("`{}` is not a length unit", name.text));
+                let finding = Diagnostic::new(
+                    Code::E0101,
+                    name.span,
+                    format!("`{}` is not a length unit", name.text),
+                );
                 self.report(finding.help("the units are mm, cm, m and inch"));
                 continue;
             };
             match chosen {
                 Some((first, place)) if place.file == name.span.file || first != unit => {
-                    let finding = Diagnostic::new(Code::E0102, name.span, "the length unit is given twice");
+                    let finding =
+                        Diagnostic::new(Code::E0102, name.span, "the length unit is given twice");
                     self.report(finding.related(place, "first given here"));
                 }
                 Some(_) => {}
@@ -244,9 +296,7 @@ impl<'a> Lowerer<'a> {
 
     /// The only curve of a role in a file, or else among all files; none if there are several.
     pub(super) fn only_curve(&self, role: Role, file: FileId) -> Result<&'a Name, usize> {
-        let of_role = |definition: &&Definition<'a>| {
-            matches!(definition.form, DefinitionForm::Curve { role: own, .. } if own == role)
-        };
+        let of_role = |definition: &&Definition<'a>| matches!(definition.form, DefinitionForm::Curve { role: own, .. } if own == role);
         let all: Vec<_> = self.definitions.values().filter(of_role).collect();
         let here: Vec<_> = all.iter().filter(|own| own.span().file == file).collect();
         match (here.as_slice(), all.as_slice()) {
@@ -334,11 +384,22 @@ impl<'a> Lowerer<'a> {
     }
 
     fn report_cycle(&mut self, name: &Name, scope: &Scope<'_>) -> Reported {
-        let start = self.pending.iter().position(|own| own.text == name.text).unwrap_or(0);
-        let cycle: Vec<&str> = self.pending[start..].iter().map(|own| own.text.as_str()).collect();
+        let start = self
+            .pending
+            .iter()
+            .position(|own| own.text == name.text)
+            .unwrap_or(0);
+        let cycle: Vec<&str> = self.pending[start..]
+            .iter()
+            .map(|own| own.text.as_str())
+            .collect();
         let message = match cycle.as_slice() {
             [only] => format!("`{only}` is defined by itself"),
-            _ => format!("these definitions need each other: {} → {}", cycle.join(" → "), name.text),
+            _ => format!(
+                "these definitions need each other: {} → {}",
+                cycle.join(" → "),
+                name.text
+            ),
         };
         let mut finding = self.finding(scope, Code::E0104, name.span, message);
         for own in &self.pending[start..] {
@@ -373,14 +434,37 @@ fn reserved_meaning(name: &str) -> &'static str {
 
 fn definition_of(declaration: &Declaration) -> Option<(&Name, DefinitionForm<'_>)> {
     match declaration {
-        Declaration::Param { name, value } => Some((name, DefinitionForm::Constant { value, is_param: true })),
-        Declaration::Let { name, parameters, value } if parameters.is_empty() => {
-            Some((name, DefinitionForm::Constant { value, is_param: false }))
-        }
-        Declaration::Let { name, parameters, value } => {
-            Some((name, DefinitionForm::Function { parameters, value }))
-        }
-        Declaration::Curve { role, name, parameter, plane, domain, value } => Some((
+        Declaration::Param { name, value } => Some((
+            name,
+            DefinitionForm::Constant {
+                value,
+                is_param: true,
+            },
+        )),
+        Declaration::Let {
+            name,
+            parameters,
+            value,
+        } if parameters.is_empty() => Some((
+            name,
+            DefinitionForm::Constant {
+                value,
+                is_param: false,
+            },
+        )),
+        Declaration::Let {
+            name,
+            parameters,
+            value,
+        } => Some((name, DefinitionForm::Function { parameters, value })),
+        Declaration::Curve {
+            role,
+            name,
+            parameter,
+            plane,
+            domain,
+            value,
+        } => Some((
             name,
             DefinitionForm::Curve {
                 role: *role,
@@ -390,13 +474,29 @@ fn definition_of(declaration: &Declaration) -> Option<(&Name, DefinitionForm<'_>
                 value,
             },
         )),
-        Declaration::Construction { name, parameters, body, bindings } => Some((
+        Declaration::Construction {
             name,
-            DefinitionForm::Construction { parameters, body, bindings },
+            parameters,
+            body,
+            bindings,
+        } => Some((
+            name,
+            DefinitionForm::Construction {
+                parameters,
+                body,
+                bindings,
+            },
         )),
-        Declaration::Surface { name, domain, value } => Some((
+        Declaration::Surface {
             name,
-            DefinitionForm::Surface { domain: domain.as_ref(), value },
+            domain,
+            value,
+        } => Some((
+            name,
+            DefinitionForm::Surface {
+                domain: domain.as_ref(),
+                value,
+            },
         )),
         Declaration::Expect { .. } | Declaration::Import { .. } | Declaration::Unit { .. } => None,
     }

@@ -38,7 +38,11 @@ impl<'a> From<&'a Vec<(ProductOp, Expr)>> for Factors<'a> {
 /// The `NAME (…)` at the start of a factor such as `u (1 - v)^2`, below powers and components.
 pub(super) fn split(expr: &Expr) -> Option<(&Reference, &[Argument])> {
     match &expr.kind {
-        ExprKind::Apply { function, arguments, .. } => Some((function, arguments)),
+        ExprKind::Apply {
+            function,
+            arguments,
+            ..
+        } => Some((function, arguments)),
         ExprKind::Power(base, _) => split(base),
         ExprKind::Component(base, _) => split(base),
         _ => None,
@@ -52,7 +56,12 @@ impl<'a> Lowerer<'a> {
     }
 
     /// The product of factors, from the left.
-    pub(super) fn product(&mut self, span: Span, factors: impl Into<Factors<'a>>, scope: &Scope<'a>) -> Lowered<Value> {
+    pub(super) fn product(
+        &mut self,
+        span: Span,
+        factors: impl Into<Factors<'a>>,
+        scope: &Scope<'a>,
+    ) -> Lowered<Value> {
         let mut parts = Vec::new();
         match factors.into() {
             Factors::One(expr) => self.push_parts(ProductOp::Times, expr, scope, &mut parts),
@@ -81,7 +90,13 @@ impl<'a> Lowerer<'a> {
         }
     }
 
-    fn push_parts(&self, op: ProductOp, expr: &'a Expr, scope: &Scope<'a>, parts: &mut Vec<(ProductOp, Part<'a>)>) {
+    fn push_parts(
+        &self,
+        op: ProductOp,
+        expr: &'a Expr,
+        scope: &Scope<'a>,
+        parts: &mut Vec<(ProductOp, Part<'a>)>,
+    ) {
         match split(expr) {
             Some((function, _)) if !self.applies(function, scope) => {
                 parts.push((op, Part::Name(function)));
@@ -99,22 +114,40 @@ impl<'a> Lowerer<'a> {
                 let base = self.rest(base, scope)?;
                 self.component(&base, name, scope)
             }
-            ExprKind::Apply { arguments, parenthesis, .. } => {
-                self.parenthesis(arguments, *parenthesis, scope)
-            }
+            ExprKind::Apply {
+                arguments,
+                parenthesis,
+                ..
+            } => self.parenthesis(arguments, *parenthesis, scope),
             _ => self.value(expr, scope),
         }
     }
 
-    fn power_of_rest(&mut self, span: Span, base: &'a Expr, exponent: &'a Expr, scope: &Scope<'a>) -> Lowered<Value> {
+    fn power_of_rest(
+        &mut self,
+        span: Span,
+        base: &'a Expr,
+        exponent: &'a Expr,
+        scope: &Scope<'a>,
+    ) -> Lowered<Value> {
         let value = self.rest(base, scope)?;
         self.power_of(span, base.span, value, exponent, scope)
     }
 
     /// `(a)`, `(a, b)` or `(a, b, c)` where the parser saw arguments.
-    fn parenthesis(&mut self, arguments: &'a [Argument], span: Span, scope: &Scope<'a>) -> Lowered<Value> {
+    fn parenthesis(
+        &mut self,
+        arguments: &'a [Argument],
+        span: Span,
+        scope: &Scope<'a>,
+    ) -> Lowered<Value> {
         if let Some(label) = arguments.iter().find_map(|own| own.label.as_ref()) {
-            let finding = self.finding(scope, Code::E0107, label.span, "a label has no place in a product");
+            let finding = self.finding(
+                scope,
+                Code::E0107,
+                label.span,
+                "a label has no place in a product",
+            );
             return Err(self.report(finding));
         }
         if let [only] = arguments {
@@ -127,7 +160,14 @@ impl<'a> Lowerer<'a> {
         self.tuple_of(span, values, scope)
     }
 
-    fn join(&mut self, product: &mut Product, op: ProductOp, value: Value, span: Span, scope: &Scope<'a>) -> Lowered<()> {
+    fn join(
+        &mut self,
+        product: &mut Product,
+        op: ProductOp,
+        value: Value,
+        span: Span,
+        scope: &Scope<'a>,
+    ) -> Lowered<()> {
         let site = scope.site(span);
         let value = match (op, value) {
             (ProductOp::Divide, Value::Scalar(own)) => {
@@ -148,7 +188,9 @@ impl<'a> Lowerer<'a> {
             Ok(()) => Ok(()),
             Err((left, right)) => {
                 let message = format!("{left} is multiplied by {right}");
-                let finding = self.finding(scope, Code::E0106, span, message).label(format!("this is {right}"));
+                let finding = self
+                    .finding(scope, Code::E0106, span, message)
+                    .label(format!("this is {right}"));
                 let finding = if left == "a vector" && right == "a vector" {
                     finding.help("write `dot(a, b)` or `cross(a, b)`")
                 } else {
@@ -219,7 +261,8 @@ impl Product {
 fn matrix_times(span: Span, columns: &[[Scalar; 3]; 3], vector: &[Scalar; 3]) -> [Scalar; 3] {
     [0, 1, 2].map(|row| {
         let terms = columns.iter().zip(vector);
-        let terms = terms.map(|(column, own)| Scalar::product(span, vec![column[row].clone(), own.clone()]));
+        let terms = terms
+            .map(|(column, own)| Scalar::product(span, vec![column[row].clone(), own.clone()]));
         Scalar::sum(span, terms.collect())
     })
 }

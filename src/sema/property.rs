@@ -32,21 +32,36 @@ fn named(name: &str) -> Option<Named> {
 
 impl<'a> Lowerer<'a> {
     /// `c(E)`, `c'(E)`: the position or a derivative of it.
-    pub(super) fn position(&mut self, curve: &Rc<Curve>, primes: u32, at: Scalar, span: Span, scope: &Scope<'_>) -> Lowered<Value> {
-        let [x, y, z] = Axis::ALL.map(|axis| {
-            self.atom(curve, Property::Position(axis), primes, &at, span, scope)
-        });
+    pub(super) fn position(
+        &mut self,
+        curve: &Rc<Curve>,
+        primes: u32,
+        at: Scalar,
+        span: Span,
+        scope: &Scope<'_>,
+    ) -> Lowered<Value> {
+        let [x, y, z] = Axis::ALL
+            .map(|axis| self.atom(curve, Property::Position(axis), primes, &at, span, scope));
         Ok(Value::Vector([x?, y?, z?]))
     }
 
     /// `c.σ(E)` and its like.
-    pub(super) fn property(&mut self, curve: &Rc<Curve>, function: &Reference, at: Scalar, span: Span, scope: &Scope<'_>) -> Lowered<Value> {
+    pub(super) fn property(
+        &mut self,
+        curve: &Rc<Curve>,
+        function: &Reference,
+        at: Scalar,
+        span: Span,
+        scope: &Scope<'_>,
+    ) -> Lowered<Value> {
         match named(&function.name.text) {
             Some(Named::Scalar(property)) => self
                 .atom(curve, property, function.primes, &at, span, scope)
                 .map(Value::Scalar),
             Some(Named::Vector(property)) => {
-                let [x, y, z] = Axis::ALL.map(|axis| self.atom(curve, property(axis), function.primes, &at, span, scope));
+                let [x, y, z] = Axis::ALL.map(|axis| {
+                    self.atom(curve, property(axis), function.primes, &at, span, scope)
+                });
                 Ok(Value::Vector([x?, y?, z?]))
             }
             None => Err(self.report_property(function, scope)),
@@ -61,14 +76,22 @@ impl<'a> Lowerer<'a> {
         } else {
             let message = format!("a curve has no property `{}`", name.text);
             let help = "the properties are x, y, z, σ, s, t, n, κ and ρ";
-            self.finding(scope, Code::E0111, name.span, message).help(help)
+            self.finding(scope, Code::E0111, name.span, message)
+                .help(help)
         };
         self.report(finding)
     }
 
     /// A property without its curve's name: that of the only profile for a function of u, of the
     /// only sweep curve for a function of v.
-    pub(super) fn bare_property(&mut self, span: Span, function: &'a Reference, arguments: &'a [Argument], parenthesis: Span, scope: &Scope<'a>) -> Lowered<Value> {
+    pub(super) fn bare_property(
+        &mut self,
+        span: Span,
+        function: &'a Reference,
+        arguments: &'a [Argument],
+        parenthesis: Span,
+        scope: &Scope<'a>,
+    ) -> Lowered<Value> {
         let at = self.argument(&function.name, arguments, parenthesis, scope)?;
         let text = self.sources.map.slice(function.span).to_owned();
         let qualified = |curve: &str| format!("`{curve}.{text}(…)`");
@@ -81,14 +104,24 @@ impl<'a> Lowerer<'a> {
             (true, false) => Role::Profile,
             (false, true) => Role::Sweep,
             (mixed, _) => {
-                let why = if mixed { "depends on u and v" } else { "is constant" };
+                let why = if mixed {
+                    "depends on u and v"
+                } else {
+                    "is constant"
+                };
                 let message = format!("the argument of `{text}` {why}: the curve must be named");
                 let finding = self.finding(scope, Code::E0105, span, message);
-                let near = self.only_curve(Role::Sweep, span.file).map_or("c", |own| own.text.as_str());
+                let near = self
+                    .only_curve(Role::Sweep, span.file)
+                    .map_or("c", |own| own.text.as_str());
                 return Err(self.report(finding.help(format!("write {}", qualified(near)))));
             }
         };
-        let what = if role == Role::Profile { "profile" } else { "sweep curve" };
+        let what = if role == Role::Profile {
+            "profile"
+        } else {
+            "sweep curve"
+        };
         match self.only_curve(role, span.file) {
             Ok(name) => {
                 let curve = self.curve_named(name, scope)?;
@@ -100,7 +133,8 @@ impl<'a> Lowerer<'a> {
                 Err(self.report(finding.help(format!("name the curve: {}", qualified("c")))))
             }
             Err(count) => {
-                let message = format!("the file has {count} {what}s: `{text}` must be named by its curve");
+                let message =
+                    format!("the file has {count} {what}s: `{text}` must be named by its curve");
                 let finding = self.finding(scope, Code::E0105, function.span, message);
                 Err(self.report(finding.help(format!("write {}", qualified("c")))))
             }
@@ -109,22 +143,39 @@ impl<'a> Lowerer<'a> {
 
     /// One property at an argument, differentiated by the curve's parameter. That the curve has
     /// the property is checked here, where it is asked for.
-    fn atom(&mut self, curve: &Rc<Curve>, property: Property, primes: u32, at: &Scalar, span: Span, scope: &Scope<'_>) -> Lowered<Scalar> {
+    fn atom(
+        &mut self,
+        curve: &Rc<Curve>,
+        property: Property,
+        primes: u32,
+        at: &Scalar,
+        span: Span,
+        scope: &Scope<'_>,
+    ) -> Lowered<Scalar> {
         let (property, derivative) = match property {
             Property::Position(axis) if primes > 0 => (Property::Hodograph(axis), primes - 1),
             other => (other, primes),
         };
         if let Err(fault) = curve.property(property) {
             let mut finding = self.finding(scope, fault.code(), span, fault.message(curve.name()));
-            finding.notes.extend(fault.evidence(curve.name(), curve.parameter()));
+            finding
+                .notes
+                .extend(fault.evidence(curve.name(), curve.parameter()));
             if let Some(help) = fault.help() {
                 finding = finding.help(help);
             }
             return Err(self.report(finding));
         }
         self.warn_of_cusps(curve, property);
-        let property = CurveProperty { curve: Rc::clone(curve), property, derivative };
-        Ok(Scalar::new(scope.site(span), Form::Property(property, at.clone())))
+        let property = CurveProperty {
+            curve: Rc::clone(curve),
+            property,
+            derivative,
+        };
+        Ok(Scalar::new(
+            scope.site(span),
+            Form::Property(property, at.clone()),
+        ))
     }
 
     /// A warning for every curve whose speed is used and vanishes somewhere.
@@ -143,8 +194,15 @@ impl<'a> Lowerer<'a> {
         if cusps.is_empty() {
             return;
         }
-        let places: Vec<String> = cusps.iter().map(|own| format!("{} = {own}", curve.parameter())).collect();
-        let message = format!("`{}` has a cusp: σ vanishes at {}", curve.name(), places.join(", "));
+        let places: Vec<String> = cusps
+            .iter()
+            .map(|own| format!("{} = {own}", curve.parameter()))
+            .collect();
+        let message = format!(
+            "`{}` has a cusp: σ vanishes at {}",
+            curve.name(),
+            places.join(", ")
+        );
         self.report(Diagnostic::new(Code::W1003, definition.span(), message));
     }
 }

@@ -62,7 +62,11 @@ impl<'a> Scope<'a> {
 
     /// Both parameters.
     pub(super) fn surface() -> Self {
-        Self { u: true, v: true, frame: None }
+        Self {
+            u: true,
+            v: true,
+            frame: None,
+        }
     }
 
     /// These parameters.

@@ -42,7 +42,9 @@ impl Value {
             Self::Pair([a, b]) => Self::Pair([change(a), change(b)]),
             Self::Vector([x, y, z]) => Self::Vector([change(x), change(y), change(z)]),
             Self::Matrix(columns) => Self::Matrix(Box::new(
-                columns.each_ref().map(|column| column.each_ref().map(&mut change)),
+                columns
+                    .each_ref()
+                    .map(|column| column.each_ref().map(&mut change)),
             )),
         }
     }

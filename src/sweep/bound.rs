@@ -15,11 +15,17 @@ pub type DegreeBound = [Option<BiDegree>; 4];
 #[must_use]
 pub fn degree_bound(coordinates: &Vector) -> DegreeBound {
     let counted = coordinates.each_ref().map(count);
-    let common = counted
-        .iter()
-        .fold(Factors::default(), |common, own| common.lcm(&own.denominator));
+    let common = counted.iter().fold(Factors::default(), |common, own| {
+        common.lcm(&own.denominator)
+    });
     let weight = common.degree();
-    let over = |own: &Counted| Some(raise(own.numerator.as_ref()?.degree(), weight, own.denominator.degree()));
+    let over = |own: &Counted| {
+        Some(raise(
+            own.numerator.as_ref()?.degree(),
+            weight,
+            own.denominator.degree(),
+        ))
+    };
     let [x, y, z] = counted.each_ref().map(over);
     [Some(weight), x, y, z]
 }
@@ -28,7 +34,10 @@ pub fn degree_bound(coordinates: &Vector) -> DegreeBound {
 #[must_use]
 pub(super) fn predicted_degree(expression: &Scalar) -> BiDegree {
     let counted = count(expression);
-    let top = counted.numerator.map(|own| own.degree()).unwrap_or_default();
+    let top = counted
+        .numerator
+        .map(|own| own.degree())
+        .unwrap_or_default();
     top.max(counted.denominator.degree())
 }
 
@@ -134,7 +143,10 @@ impl Factors {
 }
 
 fn times(degree: BiDegree, factor: usize) -> BiDegree {
-    BiDegree::new(degree.u.saturating_mul(factor), degree.v.saturating_mul(factor))
+    BiDegree::new(
+        degree.u.saturating_mul(factor),
+        degree.v.saturating_mul(factor),
+    )
 }
 
 /// A fraction of which only degrees and denominators are known. Its numerator is none where it
@@ -160,27 +172,40 @@ fn count(expression: &Scalar) -> Counted {
             denominator: Factors::default(),
         },
         Form::Sum(terms) => sum(expression, terms),
-        Form::Product(factors) => factors.iter().map(count).fold(constant(false), |product, own| Counted {
-            numerator: match (product.numerator, own.numerator) {
-                (Some(left), Some(right)) => Some(left.times(&right)),
-                _ => None,
-            },
-            denominator: product.denominator.times(&own.denominator),
-        }),
+        Form::Product(factors) => {
+            factors
+                .iter()
+                .map(count)
+                .fold(constant(false), |product, own| Counted {
+                    numerator: match (product.numerator, own.numerator) {
+                        (Some(left), Some(right)) => Some(left.times(&right)),
+                        _ => None,
+                    },
+                    denominator: product.denominator.times(&own.denominator),
+                })
+        }
         Form::Power(base, exponent) => {
             let base = count(base);
             let size = usize::try_from(exponent.unsigned_abs()).unwrap_or(usize::MAX);
             let top = base.numerator.map(|own| own.power(size));
             let bottom = base.denominator.power(size);
             if *exponent < 0 {
-                Counted { numerator: Some(bottom), denominator: top.unwrap_or_default() }
+                Counted {
+                    numerator: Some(bottom),
+                    denominator: top.unwrap_or_default(),
+                }
             } else {
-                Counted { numerator: top, denominator: bottom }
+                Counted {
+                    numerator: top,
+                    denominator: bottom,
+                }
             }
         }
         Form::Property(property, argument) => count_property(property, argument),
         Form::Partial(_, body) => derivative(expression, &count(body)),
-        Form::Substitution { body, u, v } => substitution(expression, &count(body), &count(u), &count(v)),
+        Form::Substitution { body, u, v } => {
+            substitution(expression, &count(body), &count(u), &count(v))
+        }
         Form::SquareRoot(body) => opaque(expression, &count(body)),
         Form::Normal(surface, _) => normal(expression, surface),
     }
@@ -195,13 +220,19 @@ fn linear(parameter: Parameter) -> BiDegree {
 
 fn sum(expression: &Scalar, terms: &[Scalar]) -> Counted {
     let terms: Vec<Counted> = terms.iter().map(count).collect();
-    let denominator = terms
-        .iter()
-        .fold(Factors::default(), |common, own| common.lcm(&own.denominator));
+    let denominator = terms.iter().fold(Factors::default(), |common, own| {
+        common.lcm(&own.denominator)
+    });
     let whole = denominator.degree();
     let degree = terms
         .iter()
-        .filter_map(|own| Some(raise(own.numerator.as_ref()?.degree(), whole, own.denominator.degree())))
+        .filter_map(|own| {
+            Some(raise(
+                own.numerator.as_ref()?.degree(),
+                whole,
+                own.denominator.degree(),
+            ))
+        })
         .reduce(BiDegree::max);
     Counted {
         numerator: degree.map(|degree| Factors::one(Symbol::Numerator(expression.clone()), degree)),
@@ -211,9 +242,14 @@ fn sum(expression: &Scalar, terms: &[Scalar]) -> Counted {
 
 /// A fraction of the same degrees whose parts are not known any further.
 fn opaque(expression: &Scalar, of: &Counted) -> Counted {
-    let symbol = |make: fn(Scalar) -> Symbol, degree: BiDegree| Factors::one(make(expression.clone()), degree);
+    let symbol = |make: fn(Scalar) -> Symbol, degree: BiDegree| {
+        Factors::one(make(expression.clone()), degree)
+    };
     Counted {
-        numerator: of.numerator.as_ref().map(|own| symbol(Symbol::Numerator, own.degree())),
+        numerator: of
+            .numerator
+            .as_ref()
+            .map(|own| symbol(Symbol::Numerator, own.degree())),
         denominator: symbol(Symbol::Denominator, of.denominator.degree()),
     }
 }
@@ -227,27 +263,47 @@ fn derivative(expression: &Scalar, of: &Counted) -> Counted {
             own.degree().plus(bottom),
         )
     });
-    Counted { numerator, denominator: of.denominator.power(2) }
+    Counted {
+        numerator,
+        denominator: of.denominator.power(2),
+    }
 }
 
 /// Numerator and denominator as forms in the parts of the arguments.
 fn substitution(expression: &Scalar, body: &Counted, u: &Counted, v: &Counted) -> Counted {
     let size = |own: &Counted| {
-        own.numerator.as_ref().map(Factors::degree).unwrap_or_default().max(own.denominator.degree())
+        own.numerator
+            .as_ref()
+            .map(Factors::degree)
+            .unwrap_or_default()
+            .max(own.denominator.degree())
     };
     let (in_u, in_v) = (size(u), size(v));
     let image = |degree: BiDegree| times(in_u, degree.u).plus(times(in_v, degree.v));
-    let top = body.numerator.as_ref().map(Factors::degree).unwrap_or_default();
+    let top = body
+        .numerator
+        .as_ref()
+        .map(Factors::degree)
+        .unwrap_or_default();
     let high = image(top.max(body.denominator.degree()));
-    opaque(expression, &Counted {
-        numerator: body.numerator.as_ref().map(|_| Factors::one(Symbol::Numerator(expression.clone()), high)),
-        denominator: Factors::one(Symbol::Denominator(expression.clone()), high),
-    })
+    opaque(
+        expression,
+        &Counted {
+            numerator: body
+                .numerator
+                .as_ref()
+                .map(|_| Factors::one(Symbol::Numerator(expression.clone()), high)),
+            denominator: Factors::one(Symbol::Denominator(expression.clone()), high),
+        },
+    )
 }
 
 /// Three times the surface in both numerator and denominator: M/√|M|².
 fn normal(expression: &Scalar, surface: &Vector) -> Counted {
-    let degree = degree_bound(surface).into_iter().flatten().fold(BiDegree::default(), BiDegree::max);
+    let degree = degree_bound(surface)
+        .into_iter()
+        .flatten()
+        .fold(BiDegree::default(), BiDegree::max);
     let degree = times(degree, 3);
     Counted {
         numerator: Some(Factors::one(Symbol::Numerator(expression.clone()), degree)),
@@ -268,7 +324,13 @@ fn parts(of: &CurveProperty) -> Option<(Option<Parts>, Parts)> {
             axis != first && axis != second
         })
     };
-    let weight = |part: Part, degree: usize| if degree == 0 { vec![] } else { vec![(part, degree, 1)] };
+    let weight = |part: Part, degree: usize| {
+        if degree == 0 {
+            vec![]
+        } else {
+            vec![(part, degree, 1)]
+        }
+    };
     Some(match of.property {
         Property::Position(axis) => (
             (!absent(axis)).then(|| vec![(Part::Position(axis), top, 1)]),
@@ -278,7 +340,10 @@ fn parts(of: &CurveProperty) -> Option<(Option<Parts>, Parts)> {
             (!absent(axis)).then(|| vec![(Part::Hodograph(axis), top, 1)]),
             weight(Part::HodographWeight, bottom),
         ),
-        Property::Speed => (Some(vec![(Part::Speed, top, 1)]), weight(Part::HodographWeight, bottom)),
+        Property::Speed => (
+            Some(vec![(Part::Speed, top, 1)]),
+            weight(Part::HodographWeight, bottom),
+        ),
         Property::ArcLength => (
             Some(vec![(Part::ArcLength, top, 1)]),
             weight(Part::ArcLengthWeight, bottom),
@@ -300,10 +365,18 @@ fn parts(of: &CurveProperty) -> Option<(Option<Parts>, Parts)> {
 
 fn count_property(of: &CurveProperty, argument: &Scalar) -> Counted {
     let Some((mut top, mut bottom)) = parts(of) else {
-        return Counted { numerator: Some(Factors::default()), denominator: Factors::default() };
+        return Counted {
+            numerator: Some(Factors::default()),
+            denominator: Factors::default(),
+        };
     };
     for order in 0..of.derivative {
-        let degree = |parts: &Parts| parts.iter().map(|(_, degree, exponent)| degree * exponent).sum::<usize>();
+        let degree = |parts: &Parts| {
+            parts
+                .iter()
+                .map(|(_, degree, exponent)| degree * exponent)
+                .sum::<usize>()
+        };
         let below = degree(&bottom);
         if let Some(top) = &mut top {
             let total = (degree(top) + below).saturating_sub(1);
@@ -314,23 +387,40 @@ fn count_property(of: &CurveProperty, argument: &Scalar) -> Counted {
         }
     }
     let inner = count(argument);
-    let inner_top = inner.numerator.as_ref().map(Factors::degree).unwrap_or_default();
+    let inner_top = inner
+        .numerator
+        .as_ref()
+        .map(Factors::degree)
+        .unwrap_or_default();
     let size = inner_top.max(inner.denominator.degree());
     let factors = |parts: &Parts| {
         let factor = |&(part, degree, exponent): &(Part, usize, usize)| Factor {
-            symbol: Symbol::Curve(CurveSymbol { curve: Rc::clone(&of.curve), part }, argument.clone()),
+            symbol: Symbol::Curve(
+                CurveSymbol {
+                    curve: Rc::clone(&of.curve),
+                    part,
+                },
+                argument.clone(),
+            ),
             degree: times(size, degree),
             exponent,
         };
         Factors(parts.iter().map(factor).collect())
     };
-    let total = |parts: &Parts| parts.iter().map(|(_, degree, exponent)| degree * exponent).sum::<usize>();
+    let total = |parts: &Parts| {
+        parts
+            .iter()
+            .map(|(_, degree, exponent)| degree * exponent)
+            .sum::<usize>()
+    };
     let (high, low) = (top.as_ref().map_or(0, total), total(&bottom));
     // bⁿ N(a/b) / bᵐ D(a/b): the surplus power of b stays on one side.
     let surplus_below = inner.denominator.power(high.saturating_sub(low));
     let surplus_above = inner.denominator.power(low.saturating_sub(high));
     Counted {
-        numerator: top.as_ref().map(|parts| factors(parts).times(&surplus_above)),
+        numerator: top
+            .as_ref()
+            .map(|parts| factors(parts).times(&surplus_above)),
         denominator: factors(&bottom).times(&surplus_below),
     }
 }

@@ -28,7 +28,9 @@ struct Jet {
 
 impl Jet {
     fn zero(order: usize) -> Self {
-        let rows = (0..=order).map(|i| vec![Real::zero(); order - i + 1]).collect();
+        let rows = (0..=order)
+            .map(|i| vec![Real::zero(); order - i + 1])
+            .collect();
         Self { order, rows }
     }
 
@@ -74,7 +76,11 @@ impl Jet {
         for (i, row) in self.rows.iter().enumerate() {
             for (j, left) in row.iter().enumerate().filter(|(_, own)| !own.is_zero()) {
                 for (k, other_row) in other.rows.iter().enumerate().take(self.order + 1 - i - j) {
-                    for (l, right) in other_row.iter().enumerate().take(self.order + 1 - i - j - k) {
+                    for (l, right) in other_row
+                        .iter()
+                        .enumerate()
+                        .take(self.order + 1 - i - j - k)
+                    {
                         product.rows[i + k][j + l] = &product.rows[i + k][j + l] + &(left * right);
                     }
                 }
@@ -90,9 +96,12 @@ impl Jet {
     /// Σ cₖ hᵏ, h the part without constant term.
     fn series(&self, coefficients: &[Real]) -> Self {
         let step = self.nilpotent();
-        coefficients.iter().rev().fold(Self::zero(self.order), |value, own| {
-            value.times(&step).plus(&Self::constant(self.order, own))
-        })
+        coefficients
+            .iter()
+            .rev()
+            .fold(Self::zero(self.order), |value, own| {
+                value.times(&step).plus(&Self::constant(self.order, own))
+            })
     }
 
     /// 1/(a + h) = Σ (−h)ᵏ / aᵏ⁺¹
@@ -177,12 +186,20 @@ fn jet(expression: &Scalar, u: &Real, v: &Real, order: usize) -> Option<Jet> {
             Some(argument.series(&taylor))
         }
         Form::Partial(parameter, body) => Some(jet(body, u, v, order + 1)?.derivative(*parameter)),
-        Form::Substitution { body, u: to_u, v: to_v } => {
+        Form::Substitution {
+            body,
+            u: to_u,
+            v: to_v,
+        } => {
             let (to_u, to_v) = (inner(to_u)?, inner(to_v)?);
             let outer = jet(body, to_u.value(), to_v.value(), order)?;
             let rows: Vec<Jet> = outer.rows.iter().map(|row| to_v.series(row)).collect();
             let step = to_u.nilpotent();
-            Some(rows.iter().rev().fold(Jet::zero(order), |value, row| value.times(&step).plus(row)))
+            Some(
+                rows.iter()
+                    .rev()
+                    .fold(Jet::zero(order), |value, row| value.times(&step).plus(row)),
+            )
         }
         Form::SquareRoot(body) => inner(body)?.square_root(),
         Form::Normal(surface, axis) => normal(surface, *axis, u, v, order),
@@ -196,9 +213,13 @@ fn normal(surface: &Vector, axis: Axis, u: &Real, v: &Real, order: usize) -> Opt
     let (in_u, in_v) = (along(Parameter::U), along(Parameter::V));
     let minus = Real::from(-1);
     let cross = [(1, 2), (2, 0), (0, 1)].map(|(i, j): (usize, usize)| {
-        in_u[i].times(&in_v[j]).plus(&in_u[j].times(&in_v[i]).scale(&minus))
+        in_u[i]
+            .times(&in_v[j])
+            .plus(&in_u[j].times(&in_v[i]).scale(&minus))
     });
-    let squared = cross.iter().fold(Jet::zero(order), |sum, own| sum.plus(&own.times(own)));
+    let squared = cross
+        .iter()
+        .fold(Jet::zero(order), |sum, own| sum.plus(&own.times(own)));
     Some(cross[axis.index()].times(&squared.square_root()?.inverse()?))
 }
 
@@ -216,7 +237,9 @@ fn property(curve: &Curve, property: Property, at: &Real, order: usize) -> Optio
     let position = position(curve, at, order + 2)?;
     let slope = position.each_ref().map(|own| own.derivative(Parameter::U));
     let bend = slope.each_ref().map(|own| own.derivative(Parameter::U));
-    let squared = slope.iter().fold(Jet::zero(order + 1), |sum, own| sum.plus(&own.times(own)));
+    let squared = slope
+        .iter()
+        .fold(Jet::zero(order + 1), |sum, own| sum.plus(&own.times(own)));
     let speed = || squared.truncate(order).square_root();
     let plane = || {
         let (first, second) = curve.plane()?.axes();
@@ -226,7 +249,9 @@ fn property(curve: &Curve, property: Property, at: &Real, order: usize) -> Optio
         let (first, second, a, b) = plane()?;
         let (a, b) = (a.truncate(order), b.truncate(order));
         let minus = Real::from(-1);
-        let turning = a.times(&bend[second.index()]).plus(&b.times(&bend[first.index()]).scale(&minus));
+        let turning = a
+            .times(&bend[second.index()])
+            .plus(&b.times(&bend[first.index()]).scale(&minus));
         let speed = speed()?;
         Some(turning.times(&speed.times(&speed).times(&speed).inverse()?))
     };
@@ -242,7 +267,11 @@ fn property(curve: &Curve, property: Property, at: &Real, order: usize) -> Optio
             }
             Some(length)
         }
-        Property::Tangent(axis) => Some(slope[axis.index()].truncate(order).times(&speed()?.inverse()?)),
+        Property::Tangent(axis) => Some(
+            slope[axis.index()]
+                .truncate(order)
+                .times(&speed()?.inverse()?),
+        ),
         Property::Normal(axis) => {
             let (first, second, a, b) = plane()?;
             let top = if axis == first {
@@ -262,12 +291,22 @@ fn property(curve: &Curve, property: Property, at: &Real, order: usize) -> Optio
 fn position(curve: &Curve, at: &Real, order: usize) -> Option<[Jet; 3]> {
     let variable = Jet::variable(order, Parameter::U, at);
     let horner = |polynomial: &UniPoly<Real>| {
-        polynomial.coefficients().iter().rev().fold(Jet::zero(order), |value, own| {
-            value.times(&variable).plus(&Jet::constant(order, own))
-        })
+        polynomial
+            .coefficients()
+            .iter()
+            .rev()
+            .fold(Jet::zero(order), |value, own| {
+                value.times(&variable).plus(&Jet::constant(order, own))
+            })
     };
     let inverse = horner(&curve.position().weight).inverse()?;
-    Some(curve.position().coordinates.each_ref().map(|own| horner(own).times(&inverse)))
+    Some(
+        curve
+            .position()
+            .coordinates
+            .each_ref()
+            .map(|own| horner(own).times(&inverse)),
+    )
 }
 
 /// The arc length of a polynomial curve by integrating the polynomial through values of σ; that

@@ -76,15 +76,23 @@ impl<'a> Expander<'a> {
         let terms = (degree.u.saturating_add(1)).saturating_mul(degree.v.saturating_add(1));
         let high = degree.u.max(degree.v);
         let excess = if high > self.limits.degree {
-            format!("degree {high}, the limit is {} (`--max-degree`)", self.limits.degree)
+            format!(
+                "degree {high}, the limit is {} (`--max-degree`)",
+                self.limits.degree
+            )
         } else if terms > self.limits.terms {
-            format!("{terms} terms, the limit is {} (`--max-terms`)", self.limits.terms)
+            format!(
+                "{terms} terms, the limit is {} (`--max-terms`)",
+                self.limits.terms
+            )
         } else {
             return Ok(());
         };
         let message = format!("this expands to {excess}");
-        Err(Box::new(Diagnostic::new(Code::E0505, expression.span(), message)
-            .label(format!("bidegree up to {degree}"))))
+        Err(Box::new(
+            Diagnostic::new(Code::E0505, expression.span(), message)
+                .label(format!("bidegree up to {degree}")),
+        ))
     }
 
     fn fraction(&mut self, expression: &Scalar) -> Found<Fraction<Real>> {
@@ -95,7 +103,10 @@ impl<'a> Expander<'a> {
             return Ok(fraction.clone());
         }
         let fraction = self.fraction_of_form(expression)?;
-        self.expanded.insert(expression.identity(), (expression.clone(), fraction.clone()));
+        self.expanded.insert(
+            expression.identity(),
+            (expression.clone(), fraction.clone()),
+        );
         Ok(fraction)
     }
 
@@ -106,15 +117,18 @@ impl<'a> Expander<'a> {
             Form::Parameter(parameter) => Ok(variable(*parameter)),
             Form::Sum(terms) => self.sum(terms),
             Form::Product(factors) => self.product(factors),
-            Form::Power(base, exponent) => {
-                self.fraction(base)?.power(*exponent).ok_or_else(zero_division)
-            }
+            Form::Power(base, exponent) => self
+                .fraction(base)?
+                .power(*exponent)
+                .ok_or_else(zero_division),
             Form::Property(property, argument) => self.property(expression, property, argument),
             Form::Partial(Parameter::U, body) => Ok(self.fraction(body)?.derivative_u()),
             Form::Partial(Parameter::V, body) => Ok(self.fraction(body)?.derivative_v()),
             Form::Substitution { body, u, v } => {
                 let (u, v) = (self.fraction(u)?, self.fraction(v)?);
-                self.fraction(body)?.compose(&u, &v).ok_or_else(zero_division)
+                self.fraction(body)?
+                    .compose(&u, &v)
+                    .ok_or_else(zero_division)
             }
             Form::SquareRoot(body) => {
                 let radicand = self.fraction(body)?;
@@ -204,6 +218,8 @@ fn normal_finding(fault: &NormalFault, expression: &Scalar) -> Box<Diagnostic> {
 fn curve_finding(fault: &Fault, of: &CurveProperty, expression: &Scalar) -> Box<Diagnostic> {
     let message = fault.message(of.curve.name());
     let mut finding = Diagnostic::new(fault.code(), expression.span(), message);
-    finding.notes.extend(fault.evidence(of.curve.name(), of.curve.parameter()));
+    finding
+        .notes
+        .extend(fault.evidence(of.curve.name(), of.curve.parameter()));
     Box::new(finding)
 }

@@ -264,12 +264,18 @@ fn fold(
 ) -> Vec<Scalar> {
     let numbers = parts.iter().filter_map(Scalar::as_number);
     let value = numbers.fold(neutral.clone(), |value, own| join(&value, own));
-    let rest: Vec<Scalar> = parts.iter().filter(|own| own.as_number().is_none()).cloned().collect();
+    let rest: Vec<Scalar> = parts
+        .iter()
+        .filter(|own| own.as_number().is_none())
+        .cloned()
+        .collect();
     if rest.is_empty() {
         return vec![Scalar::constant(span, value)];
     }
     if value == *neutral {
         return rest;
     }
-    std::iter::once(Scalar::constant(span, value)).chain(rest).collect()
+    std::iter::once(Scalar::constant(span, value))
+        .chain(rest)
+        .collect()
 }

@@ -30,7 +30,9 @@ impl NormalFault {
                 format!("the unit normal of this surface is not rational: {reason}")
             }
             Self::Irrational { radicand } => {
-                format!("the unit normal of this surface needs √({radicand}), which is not a rational number")
+                format!(
+                    "the unit normal of this surface needs √({radicand}), which is not a rational number"
+                )
             }
         }
     }
@@ -67,7 +69,9 @@ pub fn unit_normal(
 ) -> Result<[Fraction<Real>; 3], NormalFault> {
     let surface = HomogeneousSurface::of(surface, domain).surface;
     let direction = normal_direction(&surface);
-    let squared = direction.iter().fold(BiPoly::zero(), |sum, own| &sum + &(own * own));
+    let squared = direction
+        .iter()
+        .fold(BiPoly::zero(), |sum, own| &sum + &(own * own));
     if squared.is_zero() {
         return Err(NormalFault::NotSurface);
     }
@@ -75,9 +79,15 @@ pub fn unit_normal(
         BiSquareTest::Square { factor, root } => (factor, root),
         BiSquareTest::NotSquare { reason } => return Err(NormalFault::NotRational { reason }),
     };
-    let scale = factor.square_root().ok_or(NormalFault::Irrational { radicand: factor })?;
+    let scale = factor
+        .square_root()
+        .ok_or(NormalFault::Irrational { radicand: factor })?;
     let over = &root.scale(&scale) * surface.weight();
-    let root = if starts_negative(&over, domain) { -&root } else { root };
+    let root = if starts_negative(&over, domain) {
+        -&root
+    } else {
+        root
+    };
     let root = root.scale(&scale);
     let component = |own: &BiPoly<Real>| Fraction::quotient(own, &root).map(|own| own.reduce());
     match direction.each_ref().map(component) {
@@ -89,7 +99,12 @@ pub fn unit_normal(
 /// The sign at the first of many points on a line through the domain where it is not 0.
 fn starts_negative(polynomial: &BiPoly<Real>, domain: &Domain) -> bool {
     (1..1_000)
-        .map(|step| polynomial.evaluate(&domain.u.fraction(step, 1_009), &domain.v.fraction(step, 1_013)))
+        .map(|step| {
+            polynomial.evaluate(
+                &domain.u.fraction(step, 1_009),
+                &domain.v.fraction(step, 1_013),
+            )
+        })
         .map(|value| value.sign())
         .find(|sign| sign.is_ne())
         .is_some_and(std::cmp::Ordering::is_lt)

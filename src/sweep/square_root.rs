@@ -27,8 +27,12 @@ pub(super) fn square_root(
     }
     let not_square = |what: String| {
         Box::new(
-            Diagnostic::new(Code::E0210, span, "the square root of this is not a rational function")
-                .note(format!("it has this factor an odd number of times: {what}")),
+            Diagnostic::new(
+                Code::E0210,
+                span,
+                "the square root of this is not a rational function",
+            )
+            .note(format!("it has this factor an odd number of times: {what}")),
         )
     };
     let Some((scale, numerator)) = Denominator::split(reduced.numerator()) else {
@@ -36,19 +40,31 @@ pub(super) fn square_root(
     };
     let (top_factor, top) = root_of(&numerator).map_err(not_square)?;
     let (bottom_factor, bottom) = root_of(reduced.denominator()).map_err(not_square)?;
-    let constant = bottom_factor.inverse().map(|inverse| scale.times(&top_factor).times(&inverse));
+    let constant = bottom_factor
+        .inverse()
+        .map(|inverse| scale.times(&top_factor).times(&inverse));
     let constant = constant.unwrap_or_else(Real::zero);
     let Some(root) = constant.square_root() else {
         return Err(Box::new(irrational(&constant, span)));
     };
-    let changes = [&top, &bottom].into_iter().find_map(|part| part.change_of_sign(domain));
+    let changes = [&top, &bottom]
+        .into_iter()
+        .find_map(|part| part.change_of_sign(domain));
     if let Some(place) = changes {
-        let finding = Diagnostic::new(Code::E0210, span, "this square root changes sign on the domain");
+        let finding = Diagnostic::new(
+            Code::E0210,
+            span,
+            "this square root changes sign on the domain",
+        );
         return Err(Box::new(finding.note(place)));
     }
     let fraction = Fraction::quotient(&top.polynomial().scale(&root), &bottom.polynomial());
     let fraction = fraction.unwrap_or(reduced);
-    Ok(if is_negative(&fraction, domain) { fraction.negated() } else { fraction })
+    Ok(if is_negative(&fraction, domain) {
+        fraction.negated()
+    } else {
+        fraction
+    })
 }
 
 /// The finding for a number whose square root the field does not hold.
@@ -57,8 +73,12 @@ fn irrational(radicand: &Real, span: Span) -> Diagnostic {
         return Diagnostic::new(Code::E0210, span, "the square root of a negative number")
             .note(format!("the number is {radicand}"));
     }
-    Diagnostic::new(Code::E0209, span, format!("√({radicand}) is not a rational number"))
-        .help("this version computes over the rational numbers")
+    Diagnostic::new(
+        Code::E0209,
+        span,
+        format!("√({radicand}) is not a rational number"),
+    )
+    .help("this version computes over the rational numbers")
 }
 
 /// The roots of the factors in u, in v and in both.
@@ -123,7 +143,10 @@ fn is_negative(fraction: &Fraction<Real>, domain: &Domain) -> bool {
     (1..)
         .take(1_000)
         .filter_map(|step| {
-            let (u, v) = (domain.u.fraction(step, 1_009), domain.v.fraction(step, 1_013));
+            let (u, v) = (
+                domain.u.fraction(step, 1_009),
+                domain.v.fraction(step, 1_013),
+            );
             fraction.evaluate(&u, &v)
         })
         .map(|value| value.sign())

@@ -21,7 +21,10 @@ impl Domain {
     /// [0, 1] × [0, 1]
     #[must_use]
     pub fn unit() -> Self {
-        Self { u: Interval::unit(), v: Interval::unit() }
+        Self {
+            u: Interval::unit(),
+            v: Interval::unit(),
+        }
     }
 }
 
@@ -73,7 +76,10 @@ impl HomogeneousSurface {
     /// The bidegree of the patch: the componentwise maximum.
     #[must_use]
     pub fn bidegree(&self) -> BiDegree {
-        self.bidegrees().into_iter().flatten().fold(BiDegree::default(), BiDegree::max)
+        self.bidegrees()
+            .into_iter()
+            .flatten()
+            .fold(BiDegree::default(), BiDegree::max)
     }
 
     /// The point at parameters where W is not 0.
@@ -86,9 +92,9 @@ impl HomogeneousSurface {
     /// Brings three fractions over their common denominator and removes the common factor.
     #[must_use]
     pub(super) fn of(fractions: &[Fraction<Real>; 3], domain: &Domain) -> Reduction {
-        let common = fractions
-            .iter()
-            .fold(Denominator::one(), |common, own| common.lcm(own.denominator()));
+        let common = fractions.iter().fold(Denominator::one(), |common, own| {
+            common.lcm(own.denominator())
+        });
         let point = fractions.each_ref().map(|own| own.numerator_over(&common));
         let factor = CommonFactor::of(&common, &point);
         let [x, y, z] = point;
@@ -98,7 +104,9 @@ impl HomogeneousSurface {
             coprimality: factor.certify(&reduced),
             common_factor: normalise_one(&factor.polynomial(), domain),
             constructed,
-            surface: Self { coordinates: normalise(&reduced, domain) },
+            surface: Self {
+                coordinates: normalise(&reduced, domain),
+            },
         }
     }
 }
@@ -159,19 +167,37 @@ struct CommonFactor {
 impl CommonFactor {
     fn of(weight: &Denominator<Real>, point: &[BiPoly<Real>; 3]) -> Self {
         let shared = |start: &UniPoly<Real>, content: fn(&BiPoly<Real>) -> UniPoly<Real>| {
-            point.iter().filter(|own| !own.is_zero()).fold(start.clone(), |common, own| {
-                if common.is_constant() { common } else { gcd_uni(&common, &content(own)) }
-            })
+            point
+                .iter()
+                .filter(|own| !own.is_zero())
+                .fold(start.clone(), |common, own| {
+                    if common.is_constant() {
+                        common
+                    } else {
+                        gcd_uni(&common, &content(own))
+                    }
+                })
         };
         let in_u = shared(weight.in_u(), BiPoly::content_u);
         let in_v = shared(weight.in_v(), BiPoly::content_v);
-        let mixed = point.iter().filter(|own| !own.is_zero()).fold(weight.mixed().clone(), |common, own| {
-            if common.as_constant().is_some() { common } else { gcd_bi(&common, own) }
-        });
+        let mixed = point.iter().filter(|own| !own.is_zero()).fold(
+            weight.mixed().clone(),
+            |common, own| {
+                if common.as_constant().is_some() {
+                    common
+                } else {
+                    gcd_bi(&common, own)
+                }
+            },
+        );
         Self {
             in_u,
             in_v,
-            mixed: if mixed.as_constant().is_some() { BiPoly::one() } else { mixed },
+            mixed: if mixed.as_constant().is_some() {
+                BiPoly::one()
+            } else {
+                mixed
+            },
         }
     }
 
@@ -200,15 +226,29 @@ impl CommonFactor {
             }
             certify_coprime(&std::iter::once(own).chain(&slices).collect::<Vec<_>>())
         };
-        let in_u = along(weight.in_u(), rest.iter().flat_map(|own| own.columns()).collect())?;
-        let in_v = along(weight.in_v(), rest.iter().flat_map(|own| own.rows()).collect())?;
+        let in_u = along(
+            weight.in_u(),
+            rest.iter().flat_map(|own| own.columns()).collect(),
+        )?;
+        let in_v = along(
+            weight.in_v(),
+            rest.iter().flat_map(|own| own.rows()).collect(),
+        )?;
         let mixed = rest.iter().fold(weight.mixed().clone(), |common, own| {
-            if common.as_constant().is_some() { common } else { gcd_bi(&common, own) }
+            if common.as_constant().is_some() {
+                common
+            } else {
+                gcd_bi(&common, own)
+            }
         });
         mixed.as_constant()?;
         let modular = weight.is_separable()
             && matches!((&in_u, &in_v), (Coprimality::Modular, Coprimality::Modular));
-        Some(if modular { Coprimality::Modular } else { Coprimality::Euclid })
+        Some(if modular {
+            Coprimality::Modular
+        } else {
+            Coprimality::Euclid
+        })
     }
 }
 
@@ -218,7 +258,11 @@ impl CommonFactor {
 fn normalise(coordinates: &[BiPoly<Real>; 4], domain: &Domain) -> [BiPoly<Real>; 4] {
     let weight = &coordinates[0];
     let corner = weight.evaluate(domain.u.start(), domain.v.start());
-    let unit = if corner.is_zero() { first_coefficient(weight) } else { corner };
+    let unit = if corner.is_zero() {
+        first_coefficient(weight)
+    } else {
+        corner
+    };
     let Some(inverse) = unit.inverse() else {
         return coordinates.clone();
     };
@@ -234,7 +278,12 @@ fn normalise(coordinates: &[BiPoly<Real>; 4], domain: &Domain) -> [BiPoly<Real>;
 
 fn normalise_one(polynomial: &BiPoly<Real>, domain: &Domain) -> BiPoly<Real> {
     let [normal, ..] = normalise(
-        &[polynomial.clone(), BiPoly::zero(), BiPoly::zero(), BiPoly::zero()],
+        &[
+            polynomial.clone(),
+            BiPoly::zero(),
+            BiPoly::zero(),
+            BiPoly::zero(),
+        ],
         domain,
     );
     normal

@@ -14,8 +14,18 @@ pub const ALL: &[Kind] = &[bezier::KIND, line::KIND, ph::KIND];
 
 /// Names of constructors that the language keeps for later versions.
 pub const RESERVED: &[&str] = &[
-    "arc", "bspline", "circle", "envelope", "join", "motion", "ph3", "ph_hermite", "ph_spline",
-    "re_hermite", "rrmf", "solid",
+    "arc",
+    "bspline",
+    "circle",
+    "envelope",
+    "join",
+    "motion",
+    "ph3",
+    "ph_hermite",
+    "ph_spline",
+    "re_hermite",
+    "rrmf",
+    "solid",
 ];
 
 /// A curve constructor of the language.
