@@ -20,7 +20,14 @@ pub struct Curve {
     position: Homogeneous,
     hodograph: Hodograph,
     speed: OnceCell<Result<UniPoly<Real>, Fault>>,
-    arc_length: OnceCell<Result<(UniPoly<Real>, UniPoly<Real>), Fault>>,
+    arc_length: OnceCell<Result<ArcLength, Fault>>,
+}
+
+/// s as a fraction.
+#[derive(Debug, Clone)]
+struct ArcLength {
+    numerator: UniPoly<Real>,
+    denominator: UniPoly<Real>,
 }
 
 impl Curve {
@@ -124,91 +131,100 @@ impl Curve {
     ///
     /// The [`Fault`] that says why the curve does not have the property.
     pub fn property(&self, property: Property) -> Result<PropertyFunction, Fault> {
-        let degree = self.position.degree();
-        let polynomial = self.position.is_polynomial();
-        // deg N = deg (a, b, c) by counting, and deg d.
-        let (speed_bound, weight_bound) = if polynomial {
-            (degree.saturating_sub(1), 0)
-        } else {
-            ((2 * degree).saturating_sub(2), 2 * degree)
-        };
-        let Hodograph {
-            numerators,
-            denominator,
-        } = &self.hodograph;
-        let function = |numerator: UniPoly<Real>, denominator: UniPoly<Real>, bound| {
-            Ok(PropertyFunction {
-                numerator,
-                denominator,
-                bound,
-            })
-        };
-        match property {
-            Property::Position(axis) => function(
-                self.position.coordinates[axis.index()].clone(),
-                self.position.weight.clone(),
-                (degree, if polynomial { 0 } else { degree }),
-            ),
-            Property::Hodograph(axis) => function(
-                numerators[axis.index()].clone(),
-                denominator.clone(),
-                (speed_bound, weight_bound),
-            ),
-            Property::Speed => function(
-                self.speed()?.clone(),
-                denominator.clone(),
-                (speed_bound, weight_bound),
-            ),
-            Property::ArcLength => {
-                let (numerator, denominator) = self.arc_length()?;
-                let bound = if polynomial {
-                    (degree, 0)
+        let (speed, weight) = self.counted_degrees();
+        let numerators = &self.hodograph.numerators;
+        let (numerator, denominator, bound) = match property {
+            Property::Position(axis) => {
+                let Homogeneous {
+                    weight,
+                    coordinates,
+                } = &self.position;
+                let degree = self.position.degree();
+                let below = if self.position.is_polynomial() {
+                    0
                 } else {
-                    let bottom = denominator.degree().unwrap_or(0);
-                    (bottom.max(numerator.degree().unwrap_or(0)), bottom)
+                    degree
                 };
-                function(numerator, denominator, bound)
+                (
+                    coordinates[axis.index()].clone(),
+                    weight.clone(),
+                    (degree, below),
+                )
             }
-            Property::Tangent(axis) => function(
-                numerators[axis.index()].clone(),
-                self.speed()?.clone(),
-                (speed_bound, speed_bound),
-            ),
-            Property::Normal(axis) => function(
-                self.normal_numerator(axis)?,
-                self.speed()?.clone(),
-                (speed_bound, speed_bound),
-            ),
+            Property::Hodograph(axis) => {
+                let top = numerators[axis.index()].clone();
+                (top, self.hodograph.denominator.clone(), (speed, weight))
+            }
+            Property::Speed => {
+                let top = self.speed()?.clone();
+                (top, self.hodograph.denominator.clone(), (speed, weight))
+            }
+            Property::ArcLength => return self.arc_length_function(),
+            Property::Tangent(axis) => {
+                let top = numerators[axis.index()].clone();
+                (top, self.speed()?.clone(), (speed, speed))
+            }
+            Property::Normal(axis) => {
+                let top = self.normal_numerator(axis)?;
+                (top, self.speed()?.clone(), (speed, speed))
+            }
             Property::Curvature => {
                 let (top, bottom) = self.curvature()?;
-                let turning = speed_bound.saturating_sub(2);
-                function(top, bottom, (turning + weight_bound, 2 * speed_bound))
+                (top, bottom, (speed.saturating_sub(2) + weight, 2 * speed))
             }
             Property::RadiusOfCurvature => {
                 let (top, bottom) = self.curvature()?;
                 if top.is_zero() {
                     return Err(Fault::StraightLine);
                 }
-                let turning = speed_bound.saturating_sub(2);
-                function(bottom, top, (2 * speed_bound, turning + weight_bound))
+                (bottom, top, (2 * speed, speed.saturating_sub(2) + weight))
             }
+        };
+        Ok(PropertyFunction {
+            numerator,
+            denominator,
+            bound,
+        })
+    }
+
+    /// The degrees of (a, b, c) and of d by counting: m − 1 and 0 for a polynomial curve of degree
+    /// m, else 2m − 2 (the leading terms of x′w − xw′ always cancel) and 2m.
+    fn counted_degrees(&self) -> (usize, usize) {
+        let degree = self.position.degree();
+        if self.position.is_polynomial() {
+            (degree.saturating_sub(1), 0)
+        } else {
+            ((2 * degree).saturating_sub(2), 2 * degree)
         }
     }
 
-    /// The plane axes' hodograph numerators (a, b).
-    fn plane_hodograph(&self) -> Result<(Axis, Axis, &UniPoly<Real>, &UniPoly<Real>), Fault> {
+    fn arc_length_function(&self) -> Result<PropertyFunction, Fault> {
+        let ArcLength {
+            numerator,
+            denominator,
+        } = self.arc_length()?;
+        let bound = if self.position.is_polynomial() {
+            (self.position.degree(), 0)
+        } else {
+            let bottom = denominator.degree().unwrap_or(0);
+            (bottom.max(numerator.degree().unwrap_or(0)), bottom)
+        };
+        Ok(PropertyFunction {
+            numerator,
+            denominator,
+            bound,
+        })
+    }
+
+    /// The hodograph numerators (a, b) along the axes of the curve's plane.
+    fn plane_hodograph(&self) -> Result<[(Axis, &UniPoly<Real>); 2], Fault> {
         let (first, second) = self.plane.ok_or(Fault::NotPlane)?.axes();
         let numerators = &self.hodograph.numerators;
-        Ok((
-            first,
-            second,
-            &numerators[first.index()],
-            &numerators[second.index()],
-        ))
+        Ok([first, second].map(|axis| (axis, &numerators[axis.index()])))
     }
 
     fn normal_numerator(&self, axis: Axis) -> Result<UniPoly<Real>, Fault> {
-        let (first, second, a, b) = self.plane_hodograph()?;
+        let [(first, a), (second, b)] = self.plane_hodograph()?;
         Ok(if axis == first {
             b.clone()
         } else if axis == second {
@@ -220,7 +236,7 @@ impl Curve {
 
     /// (H d, N²)
     fn curvature(&self) -> Result<(UniPoly<Real>, UniPoly<Real>), Fault> {
-        let (_, _, a, b) = self.plane_hodograph()?;
+        let [(_, a), (_, b)] = self.plane_hodograph()?;
         let speed = self.speed()?;
         let turning = &(a * &b.derivative()) - &(&a.derivative() * b);
         // N divides: with a + ib = g h ω² both are multiples of |g| h |ω|².
@@ -228,7 +244,7 @@ impl Curve {
         Ok((&turning * &self.hodograph.denominator, speed * speed))
     }
 
-    fn arc_length(&self) -> Result<(UniPoly<Real>, UniPoly<Real>), Fault> {
+    fn arc_length(&self) -> Result<ArcLength, Fault> {
         let length = self.arc_length.get_or_init(|| {
             let speed = self.speed()?;
             let (numerator, denominator) = match integrate(speed, &self.hodograph.denominator) {
@@ -242,14 +258,19 @@ impl Curve {
             };
             let (start, end) = (self.domain.start(), self.domain.end());
             if let Some(root) = real_roots(&denominator, start, end).into_iter().next() {
-                return Err(Fault::InfiniteArcLength { root });
+                return Err(Fault::InfiniteArcLength {
+                    root: Box::new(root),
+                });
             }
             let offset = denominator
                 .evaluate(start)
                 .inverse()
                 .unwrap_or_else(Real::zero);
             let offset = numerator.evaluate(start).times(&offset);
-            Ok((&numerator - &denominator.scale(&offset), denominator))
+            Ok(ArcLength {
+                numerator: &numerator - &denominator.scale(&offset),
+                denominator,
+            })
         });
         length.clone()
     }

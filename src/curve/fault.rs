@@ -20,7 +20,7 @@ pub enum Fault {
     /// σ = |h| … with a real factor h that changes sign on the domain.
     SpeedChangesSign {
         /// The place of the change.
-        root: RealRoot<Real>,
+        root: Box<RealRoot<Real>>,
     },
     /// ∫σ has a logarithm or an arctangent in it.
     ArcLengthNotRational {
@@ -30,7 +30,7 @@ pub enum Fault {
     /// ∫σ diverges: σ has a pole on the domain.
     InfiniteArcLength {
         /// The pole.
-        root: RealRoot<Real>,
+        root: Box<RealRoot<Real>>,
     },
     /// r′ = 0 identically.
     NoMotion,

@@ -72,7 +72,9 @@ impl Hodograph {
         let signed = root.scale(&scale);
         let over = &signed * &self.denominator;
         if let Some(root) = sign_change(&over, domain.start(), domain.end()) {
-            return Err(Fault::SpeedChangesSign { root });
+            return Err(Fault::SpeedChangesSign {
+                root: Box::new(root),
+            });
         }
         Ok(if is_negative(&over, domain) {
             -&signed

@@ -188,4 +188,13 @@ mod tests {
             assert!(refused, "{other:?}");
         }
     }
+    #[test]
+    fn a_packed_square_need_not_be_one() {
+        // 1 + 2v + u is (1 + x)² at u = x², v = x
+        let polynomial = rows(&[&[1, 2], &[1]]);
+        let packed = pack(&polynomial, 2);
+        let root = primitive_root(&packed).map(|(_, root)| root);
+        assert_eq!(root, Some(rows(&[&[1, 1]]).at_u(&Rational::from(0))));
+        assert_eq!(root.and_then(|root| unpack(&root, 2)), None);
+    }
 }

@@ -131,3 +131,48 @@ impl Image {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn image(coefficients: &[u64]) -> Image {
+        Image::new(coefficients.iter().copied().map(Residue::new).collect())
+    }
+
+    #[test]
+    fn squares_up_to_a_constant_are_told_from_others() {
+        // 3 (x²+2x+5)², and with each of its coefficients changed
+        let square = [75, 60, 42, 12, 3];
+        assert!(image(&square).is_square());
+        for place in 0..square.len() {
+            let mut other = square;
+            other[place] += 1;
+            assert!(!image(&other).is_square(), "{other:?}");
+        }
+        assert!(image(&[]).is_square() && image(&[7]).is_square());
+        assert!(!image(&[0, 1]).is_square() && image(&[0, 0, 1]).is_square());
+    }
+
+    #[test]
+    fn images_at_points_are_images_of_values() {
+        let number = |value: i64| crate::number::Rational::new(value.into(), 6.into());
+        let rows = [[3, 1, 4], [1, 5, 9], [2, 6, 5]].map(|row| {
+            let row: Vec<_> = row.iter().copied().map(number).collect();
+            UniPoly::from_coefficients(&row)
+        });
+        let polynomial = BiPoly::from_rows(&rows);
+        // up to the denominator that the image of a univariate polynomial leaves out
+        let proportional = |left: &Image, right: &Image| {
+            let pairs = left.0.iter().zip(&right.0);
+            let [first, second] = [left, right].map(|own| own.0[0]);
+            left.0.len() == right.0.len()
+                && pairs.into_iter().all(|(l, r)| *l * second == *r * first)
+        };
+        let at = crate::number::Rational::from(7);
+        let in_v = Image::at_u(&polynomial, Residue::new(7)).zip(Image::of(&polynomial.at_u(&at)));
+        let in_u = Image::at_v(&polynomial, Residue::new(7)).zip(Image::of(&polynomial.at_v(&at)));
+        assert!(in_v.is_some_and(|(own, value)| proportional(&own, &value)));
+        assert!(in_u.is_some_and(|(own, value)| proportional(&own, &value)));
+    }
+}

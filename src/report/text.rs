@@ -102,64 +102,53 @@ pub(super) fn degree(pair: Option<[usize; 2]>) -> String {
 /// The facts below the table, each with its label.
 pub(super) fn facts(surface: &SurfaceReport) -> Vec<(&'static str, String)> {
     let remarks = &surface.remarks;
-    let affine = [
-        ("x", &surface.affine.x),
-        ("y", &surface.affine.y),
-        ("z", &surface.affine.z),
-    ];
-    let affine = affine.map(|(name, own)| {
-        format!(
-            "{name} {}/{}",
-            degree(own.numerator),
-            degree(Some(own.denominator))
-        )
-    });
-    let patch = &surface.patch;
-    let [rows, columns] = patch.control_points;
-    let weights = match &remarks.weights {
-        Some((min, max)) if min == max => format!("all {min}"),
-        Some((min, max)) => {
-            let sign = if surface.weights.positive {
-                "positive"
-            } else {
-                "not all positive"
-            };
-            format!("{sign}, from {min} to {max}")
-        }
-        None => "the first weight is 0".to_owned(),
+    let [rows, columns] = surface.patch.control_points;
+    let patch = degree(Some(surface.patch.bidegree));
+    let poles = match remarks.poles.as_slice() {
+        [] => "none".to_owned(),
+        places => places.join("; "),
     };
-    let poles = if remarks.poles.is_empty() {
-        "none".to_owned()
-    } else {
-        remarks.poles.join("; ")
-    };
+    let factor = format!(
+        "{}   (the rest is {})",
+        remarks.common_factor, remarks.coprimality
+    );
+    let regular = decision(surface.regular, remarks.regular.because());
+    let offset = decision(surface.rational_offset, remarks.rational_offset.because());
     vec![
-        (
-            "common factor",
-            format!(
-                "{}   ({} after removal)",
-                remarks.common_factor, remarks.coprimality
-            ),
-        ),
-        ("lowest terms", affine.join("   ")),
+        ("common factor", factor),
+        ("lowest terms", lowest_terms(surface)),
         (
             "patch",
-            format!(
-                "{}, {rows} × {columns} control points",
-                degree(Some(patch.bidegree))
-            ),
+            format!("{patch}, {rows} × {columns} control points"),
         ),
-        ("weights", weights),
+        ("weights", weights(surface)),
         ("poles", poles),
-        (
-            "regular",
-            decision(surface.regular, remarks.regular.because()),
-        ),
-        (
-            "rational offset",
-            decision(surface.rational_offset, remarks.rational_offset.because()),
-        ),
+        ("regular", regular),
+        ("rational offset", offset),
     ]
+}
+
+fn lowest_terms(surface: &SurfaceReport) -> String {
+    let affine = &surface.affine;
+    let coordinates = [("x", &affine.x), ("y", &affine.y), ("z", &affine.z)];
+    let terms = coordinates.map(|(name, own)| {
+        let (top, bottom) = (degree(own.numerator), degree(Some(own.denominator)));
+        format!("{name} {top}/{bottom}")
+    });
+    terms.join("   ")
+}
+
+fn weights(surface: &SurfaceReport) -> String {
+    let sign = if surface.weights.positive {
+        "positive"
+    } else {
+        "not all positive"
+    };
+    match &surface.remarks.weights {
+        Some((min, max)) if min == max => format!("all {min}"),
+        Some((min, max)) => format!("{sign}, from {min} to {max}"),
+        None => "the first weight is 0".to_owned(),
+    }
 }
 
 pub(super) fn decision(decision: Decision, because: &str) -> String {

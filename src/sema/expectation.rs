@@ -141,7 +141,7 @@ impl<'a> Lowerer<'a> {
         };
         let mut mentioned = Vec::new();
         for (index, surface) in surfaces.iter().enumerate() {
-            if self.mentioned.iter().any(|own| *own == surface.name) {
+            if self.mentioned.contains(&surface.name) {
                 mentioned.push(index);
             }
         }
@@ -275,69 +275,44 @@ impl<'a> Lowerer<'a> {
         right: (Side, &Expr),
         span: Span,
     ) -> Lowered<Claim> {
-        let (left_span, right_span) = (left.1.span, right.1.span);
-        let mismatch = |own: &mut Self, what: String| {
-            let finding = Diagnostic::new(Code::E0106, span, what);
-            Err(own.report(
-                finding
-                    .related(left_span, "one side")
-                    .related(right_span, "the other"),
-            ))
-        };
-        let claim = match (left.0, right.0) {
-            (Side::Value(l), Side::Value(r)) => {
-                if std::mem::discriminant(&l) != std::mem::discriminant(&r) {
-                    return mismatch(
-                        self,
-                        format!("{} is compared with {}", l.type_name(), r.type_name()),
-                    );
-                }
-                if relation.is_order() && !matches!(l, Value::Scalar(_)) {
-                    return mismatch(
-                        self,
-                        format!("{}s have no order", l.type_name().trim_start_matches("a ")),
-                    );
-                }
-                let (l, r) = (
-                    Quantity::Value(l.components()),
-                    Quantity::Value(r.components()),
-                );
-                Claim::Comparison {
-                    left: l,
-                    relation,
-                    right: r,
-                }
+        let places = (left.1.span, right.1.span);
+        match incomparable(&left.0, relation, &right.0) {
+            None => Ok(Claim::Comparison {
+                left: quantity(left.0),
+                relation,
+                right: quantity(right.0),
+            }),
+            Some(what) => {
+                let finding = Diagnostic::new(Code::E0106, span, what);
+                let finding = finding.related(places.0, "one side");
+                Err(self.report(finding.related(places.1, "the other")))
             }
-            (l, r) => {
-                let (l, r) = (quantity(l), quantity(r));
-                let sound = match (&l, &r) {
-                    (Quantity::BiDegree { .. }, Quantity::Value(parts))
-                    | (Quantity::Value(parts), Quantity::BiDegree { .. }) => parts.len() == 2,
-                    (Quantity::CommonFactor { .. }, Quantity::Value(parts))
-                    | (Quantity::Value(parts), Quantity::CommonFactor { .. }) => parts.len() == 1,
-                    (Quantity::BiDegree { .. }, Quantity::BiDegree { .. })
-                    | (Quantity::CommonFactor { .. }, Quantity::CommonFactor { .. }) => true,
-                    _ => false,
-                };
-                if !sound {
-                    return mismatch(self, "these two cannot be compared: a bidegree is a pair, a common factor a polynomial".to_owned());
-                }
-                if relation.is_order() {
-                    return mismatch(
-                        self,
-                        "bidegrees and common factors are equal or not, they have no order"
-                            .to_owned(),
-                    );
-                }
-                Claim::Comparison {
-                    left: l,
-                    relation,
-                    right: r,
-                }
-            }
-        };
-        Ok(claim)
+        }
     }
+}
+
+/// Why two sides do not compare; none if they do.
+fn incomparable(left: &Side, relation: Relation, right: &Side) -> Option<String> {
+    if let (Side::Value(left), Side::Value(right)) = (left, right) {
+        if std::mem::discriminant(left) != std::mem::discriminant(right) {
+            let (left, right) = (left.type_name(), right.type_name());
+            return Some(format!("{left} is compared with {right}"));
+        }
+        let ordered = !relation.is_order() || matches!(left, Value::Scalar(_));
+        return (!ordered).then(|| format!("{} has no order", left.type_name()));
+    }
+    // A bidegree compares with a pair, a common factor with a scalar.
+    let shape = |side: &Side| match side {
+        Side::Quantity(Quantity::BiDegree { .. }) => 2,
+        Side::Quantity(_) => 1,
+        Side::Value(value) => value.components().len(),
+    };
+    if shape(left) != shape(right) {
+        let what = "a bidegree compares with a pair, a common factor with a polynomial";
+        return Some(what.to_owned());
+    }
+    let what = "bidegrees and common factors have no order";
+    relation.is_order().then(|| what.to_owned())
 }
 
 fn quantity(side: Side) -> Quantity {

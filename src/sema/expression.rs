@@ -4,6 +4,7 @@ use crate::number::{Field, Rational, Real};
 use crate::sweep::{Domain, Expander, Form, Scalar};
 use crate::syntax::ast::{Expr, ExprKind, Name, Reference, Sign};
 
+use super::definition::DefinitionForm;
 use super::lowerer::{Lowered, Lowerer, Meaning, RESERVED, Reported, parameter_of};
 use super::scope::{Binding, Scope};
 use super::value::Value;
@@ -342,12 +343,19 @@ impl<'a> Lowerer<'a> {
             }
             _ => {}
         }
+        if RESERVED.contains(&name.text.as_str()) {
+            return self.reserved_value(name, scope);
+        }
+        self.declared_value(name, scope)
+    }
+
+    /// A parameter or a unit vector; the other reserved names are properties.
+    fn reserved_value(&mut self, name: &Name, scope: &Scope<'a>) -> Lowered<Value> {
+        let site = scope.site(name.span);
         if let Some(parameter) = parameter_of(&name.text) {
             if scope.allows(parameter) {
-                return Ok(Value::Scalar(Scalar::new(
-                    scope.site(name.span),
-                    Form::Parameter(parameter),
-                )));
+                let form = Form::Parameter(parameter);
+                return Ok(Value::Scalar(Scalar::new(site, form)));
             }
             let message = format!("`{}` is not a parameter here", name.text);
             let finding = self.finding(scope, Code::E0109, name.span, message);
@@ -359,44 +367,31 @@ impl<'a> Lowerer<'a> {
             return Err(self.report(finding.help(help)));
         }
         if let Some(axis) = ["i", "j", "k"].iter().position(|own| *own == name.text) {
-            let site = scope.site(name.span);
             let component =
                 |index: usize| Scalar::constant(site, Real::from(i64::from(index == axis)));
             return Ok(Value::Vector([component(0), component(1), component(2)]));
         }
-        if RESERVED.contains(&name.text.as_str()) {
-            let message = format!(
-                "`{}` is a property of curves and needs an argument",
-                name.text
-            );
-            let finding = self.finding(scope, Code::E0107, name.span, message);
-            return Err(self.report(
-                finding.help(format!("write `{0}(u)`, `{0}(v)` or `c.{0}(v)`", name.text)),
-            ));
-        }
-        if !self.definitions.contains_key(name.text.as_str()) {
+        let message = format!("`{}` is a property and needs an argument", name.text);
+        let finding = self.finding(scope, Code::E0107, name.span, message);
+        let help = format!("write `{0}(u)`, `{0}(v)` or `c.{0}(v)`", name.text);
+        Err(self.report(finding.help(help)))
+    }
+
+    /// A declared constant, or a function at its own parameters.
+    fn declared_value(&mut self, name: &Name, scope: &Scope<'a>) -> Lowered<Value> {
+        let Some(definition) = self.definitions.get(name.text.as_str()) else {
             return Err(self.report_unknown(name, scope));
-        }
-        match self.definitions[name.text.as_str()].form {
-            super::definition::DefinitionForm::Construction { .. } => {
-                let finding = self.finding(
-                    scope,
-                    Code::E0107,
-                    name.span,
-                    format!("the construction `{}` needs its arguments", name.text),
-                );
-                return Err(self.report(finding));
-            }
-            super::definition::DefinitionForm::Surface { .. } => {
-                let finding = self.finding(
-                    scope,
-                    Code::E0107,
-                    name.span,
-                    format!("the surface `{}` needs its arguments", name.text),
-                );
-                return Err(self.report(finding.help(format!("write `{}(u, v)`", name.text))));
-            }
-            _ => {}
+        };
+        let usage = match definition.form {
+            DefinitionForm::Construction { .. } => Some(("construction", "…")),
+            DefinitionForm::Surface { .. } => Some(("surface", "u, v")),
+            _ => None,
+        };
+        if let Some((kind, arguments)) = usage {
+            let message = format!("the {kind} `{}` needs its arguments", name.text);
+            let finding = self.finding(scope, Code::E0107, name.span, message);
+            let help = format!("write `{}({arguments})`", name.text);
+            return Err(self.report(finding.help(help)));
         }
         match self.meaning(name, scope)? {
             Meaning::Constant(value) => {

@@ -432,72 +432,28 @@ fn reserved_meaning(name: &str) -> &'static str {
     }
 }
 
+/// The name that a declaration gives a meaning, and that meaning.
 fn definition_of(declaration: &Declaration) -> Option<(&Name, DefinitionForm<'_>)> {
-    match declaration {
-        Declaration::Param { name, value } => Some((
-            name,
-            DefinitionForm::Constant {
-                value,
-                is_param: true,
-            },
-        )),
-        Declaration::Let {
-            name,
-            parameters,
-            value,
-        } if parameters.is_empty() => Some((
-            name,
-            DefinitionForm::Constant {
-                value,
-                is_param: false,
-            },
-        )),
-        Declaration::Let {
-            name,
-            parameters,
-            value,
-        } => Some((name, DefinitionForm::Function { parameters, value })),
-        Declaration::Curve {
-            role,
-            name,
-            parameter,
-            plane,
-            domain,
-            value,
-        } => Some((
-            name,
-            DefinitionForm::Curve {
-                role: *role,
-                parameter,
-                plane: plane.map(|(plane, _)| plane),
-                domain: domain.as_ref(),
-                value,
-            },
-        )),
-        Declaration::Construction {
-            name,
-            parameters,
-            body,
-            bindings,
-        } => Some((
-            name,
-            DefinitionForm::Construction {
-                parameters,
-                body,
-                bindings,
-            },
-        )),
-        Declaration::Surface {
-            name,
-            domain,
-            value,
-        } => Some((
-            name,
-            DefinitionForm::Surface {
-                domain: domain.as_ref(),
-                value,
-            },
-        )),
-        Declaration::Expect { .. } | Declaration::Import { .. } | Declaration::Unit { .. } => None,
-    }
+    use Declaration as D;
+    use DefinitionForm as F;
+    #[rustfmt::skip]
+    let definition = match declaration {
+        D::Param { name, value } => (name, F::Constant { value, is_param: true }),
+        D::Let { name, parameters, value } if parameters.is_empty() => {
+            (name, F::Constant { value, is_param: false })
+        }
+        D::Let { name, parameters, value } => (name, F::Function { parameters, value }),
+        D::Curve { role, name, parameter, plane, domain, value } => {
+            let plane = plane.map(|(plane, _)| plane);
+            (name, F::Curve { role: *role, parameter, plane, domain: domain.as_ref(), value })
+        }
+        D::Construction { name, parameters, body, bindings } => {
+            (name, F::Construction { parameters, body, bindings })
+        }
+        D::Surface { name, domain, value } => {
+            (name, F::Surface { domain: domain.as_ref(), value })
+        }
+        D::Expect { .. } | D::Import { .. } | D::Unit { .. } => return None,
+    };
+    Some(definition)
 }

@@ -363,64 +363,55 @@ fn parts(of: &CurveProperty) -> Option<(Option<Parts>, Parts)> {
     })
 }
 
+/// The degree of a product of parts.
+fn total(parts: &Parts) -> usize {
+    let degrees = parts.iter().map(|(_, degree, exponent)| degree * exponent);
+    degrees.sum()
+}
+
+/// The parts of a derivative of a property, by the quotient rule.
+fn derived_parts(of: &CurveProperty) -> Option<(Option<Parts>, Parts)> {
+    let (mut top, mut bottom) = parts(of)?;
+    for order in 1..=of.derivative {
+        let below = total(&bottom);
+        top = top.map(|top| {
+            let degree = (total(&top) + below).saturating_sub(1);
+            vec![(Part::Derived(of.property, order), degree, 1)]
+        });
+        for (_, _, exponent) in &mut bottom {
+            *exponent *= 2;
+        }
+    }
+    Some((top, bottom))
+}
+
 fn count_property(of: &CurveProperty, argument: &Scalar) -> Counted {
-    let Some((mut top, mut bottom)) = parts(of) else {
+    let Some((top, bottom)) = derived_parts(of) else {
         return Counted {
             numerator: Some(Factors::default()),
             denominator: Factors::default(),
         };
     };
-    for order in 0..of.derivative {
-        let degree = |parts: &Parts| {
-            parts
-                .iter()
-                .map(|(_, degree, exponent)| degree * exponent)
-                .sum::<usize>()
-        };
-        let below = degree(&bottom);
-        if let Some(top) = &mut top {
-            let total = (degree(top) + below).saturating_sub(1);
-            *top = vec![(Part::Derived(of.property, order + 1), total, 1)];
-        }
-        for (_, _, exponent) in &mut bottom {
-            *exponent *= 2;
-        }
-    }
     let inner = count(argument);
-    let inner_top = inner
-        .numerator
-        .as_ref()
-        .map(Factors::degree)
-        .unwrap_or_default();
-    let size = inner_top.max(inner.denominator.degree());
+    let above = inner.numerator.as_ref().map(Factors::degree);
+    let size = above.unwrap_or_default().max(inner.denominator.degree());
     let factors = |parts: &Parts| {
-        let factor = |&(part, degree, exponent): &(Part, usize, usize)| Factor {
-            symbol: Symbol::Curve(
-                CurveSymbol {
-                    curve: Rc::clone(&of.curve),
-                    part,
-                },
-                argument.clone(),
-            ),
-            degree: times(size, degree),
-            exponent,
+        let factor = |&(part, degree, exponent): &(Part, usize, usize)| {
+            let curve = Rc::clone(&of.curve);
+            Factor {
+                symbol: Symbol::Curve(CurveSymbol { curve, part }, argument.clone()),
+                degree: times(size, degree),
+                exponent,
+            }
         };
         Factors(parts.iter().map(factor).collect())
-    };
-    let total = |parts: &Parts| {
-        parts
-            .iter()
-            .map(|(_, degree, exponent)| degree * exponent)
-            .sum::<usize>()
     };
     let (high, low) = (top.as_ref().map_or(0, total), total(&bottom));
     // bⁿ N(a/b) / bᵐ D(a/b): the surplus power of b stays on one side.
     let surplus_below = inner.denominator.power(high.saturating_sub(low));
     let surplus_above = inner.denominator.power(low.saturating_sub(high));
     Counted {
-        numerator: top
-            .as_ref()
-            .map(|parts| factors(parts).times(&surplus_above)),
+        numerator: top.map(|parts| factors(&parts).times(&surplus_above)),
         denominator: factors(&bottom).times(&surplus_below),
     }
 }

@@ -45,13 +45,13 @@ fn tight() -> impl Strategy<Value = (String, String)> {
     })
 }
 
-/// A sum of products of what is given.
-fn sum(
+/// A product of what is given.
+fn product(
     tight: impl Strategy<Value = (String, String)> + Clone,
 ) -> impl Strategy<Value = (String, String)> + Clone {
     let joint = prop::sample::select(&["*", "/", " "][..]);
     let factors = prop::collection::vec((joint, any::<bool>(), tight), 1..4);
-    let product = factors.prop_map(|factors| {
+    factors.prop_map(|factors| {
         let (mut text, mut joints, mut trees) = (String::new(), String::new(), String::new());
         let mut only = String::new();
         for (place, (joint, negative, (factor, tree))) in factors.iter().enumerate() {
@@ -85,8 +85,14 @@ fn sum(
             1 => (text, only),
             _ => (text, format!("({joints}{trees})")),
         }
-    });
-    prop::collection::vec((any::<bool>(), product), 1..4).prop_map(|terms| {
+    })
+}
+
+/// A sum of products of what is given.
+fn sum(
+    tight: impl Strategy<Value = (String, String)> + Clone,
+) -> impl Strategy<Value = (String, String)> + Clone {
+    prop::collection::vec((any::<bool>(), product(tight)), 1..4).prop_map(|terms| {
         let (mut text, mut trees) = (String::new(), String::new());
         for (place, (negative, (term, tree))) in terms.iter().enumerate() {
             text += match (negative, place) {

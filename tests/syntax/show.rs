@@ -19,73 +19,53 @@ fn bracketed(parts: Vec<String>) -> String {
     format!("({})", parts.join(" "))
 }
 
+fn show_names(names: &[sweepc::syntax::ast::Name]) -> String {
+    let list: Vec<_> = names.iter().map(|name| name.text.as_str()).collect();
+    list.join(" ")
+}
+
+fn show_role(role: Role) -> &'static str {
+    match role {
+        Role::Profile => "profile",
+        Role::Sweep => "sweep",
+        Role::Further => "curve",
+    }
+}
+
+#[rustfmt::skip]
 fn show_declaration(declaration: &Declaration) -> String {
-    let names = |names: &[sweepc::syntax::ast::Name]| {
-        let list: Vec<_> = names.iter().map(|name| name.text.as_str()).collect();
-        list.join(" ")
-    };
+    use Declaration as D;
     bracketed(match declaration {
-        Declaration::Param { name, value } => {
+        D::Param { name, value } => {
             vec!["param".into(), name.text.clone(), show_expression(value)]
         }
-        Declaration::Let {
-            name,
-            parameters,
-            value,
-        } => {
-            vec![
-                "let".into(),
-                name.text.clone(),
-                names(parameters),
-                show_expression(value),
-            ]
+        D::Let { name, parameters, value } => {
+            vec!["let".into(), name.text.clone(), show_names(parameters), show_expression(value)]
         }
-        Declaration::Curve {
-            role,
-            name,
-            parameter,
-            plane,
-            domain,
-            value,
-        } => vec![
-            match role {
-                Role::Profile => "profile".into(),
-                Role::Sweep => "sweep".into(),
-                Role::Further => "curve".into(),
-            },
+        D::Curve { role, name, parameter, plane, domain, value } => vec![
+            show_role(*role).into(),
             name.text.clone(),
             parameter.text.clone(),
             plane.map_or(String::new(), |(plane, _)| show_plane(plane).into()),
             domain.as_ref().map_or(String::new(), show_interval),
             show_expression(value),
         ],
-        Declaration::Construction {
-            name,
-            parameters,
-            body,
-            bindings,
-        } => {
-            let mut parts = vec!["construction".into(), name.text.clone(), names(parameters)];
+        D::Construction { name, parameters, body, bindings } => {
+            let mut parts = vec!["construction".into(), name.text.clone(), show_names(parameters)];
             parts.push(show_expression(body));
-            let bindings = bindings.iter();
-            parts.extend(
-                bindings.map(|(name, value)| format!("({} {})", name.text, show_expression(value))),
-            );
+            let binding = |(name, value): &(sweepc::syntax::ast::Name, _)| {
+                format!("({} {})", name.text, show_expression(value))
+            };
+            parts.extend(bindings.iter().map(binding));
             parts
         }
-        Declaration::Surface {
-            name,
-            domain,
-            value,
-        } => vec![
-            "surface".into(),
-            name.text.clone(),
-            domain.as_ref().map_or(String::new(), |(u, v)| {
+        D::Surface { name, domain, value } => {
+            let domain = domain.as_ref().map_or(String::new(), |(u, v)| {
                 format!("{} {}", show_interval(u), show_interval(v))
-            }),
-            show_expression(value),
-        ],
-        Declaration::Expect { left, relation } => {
+            });
+            vec!["surface".into(), name.text.clone(), domain, show_expression(value)]
+        }
+        D::Expect { left, relation } => {
             let mut parts = vec!["expect".into(), show_expression(left)];
             if let Some((relation, right)) = relation {
                 parts.push(show_relation(*relation).into());
@@ -93,8 +73,8 @@ fn show_declaration(declaration: &Declaration) -> String {
             }
             parts
         }
-        Declaration::Import { path, .. } => vec!["import".into(), path.clone()],
-        Declaration::Unit { name } => vec!["unit".into(), name.text.clone()],
+        D::Import { path, .. } => vec!["import".into(), path.clone()],
+        D::Unit { name } => vec!["unit".into(), name.text.clone()],
     })
 }
 

@@ -45,7 +45,7 @@ pub(super) fn check_weights(
     let above = |ratio: i64| *greatest > least.times(&Real::from(ratio));
     if above(Context::GREATEST_WEIGHT_RATIO) && !context.any_weight_ratio {
         let message = format!("the weights run from {least} to {greatest}, a factor above 10^6");
-        let help = "readers of STEP lose accuracy with such weights: restrict the surface to a smaller domain, or allow any ratio of weights";
+        let help = "readers of STEP lose accuracy with such weights: restrict the surface to a smaller domain, or give `--allow-weight-ratio`";
         return Err(fault(Code::E0304, message, help));
     }
     Ok(above(LARGE_WEIGHT_RATIO).then(|| {
