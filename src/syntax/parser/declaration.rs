@@ -276,6 +276,10 @@ fn equal(input: Stream<'_>) -> Parsed<'_, ()> {
     Ok((rest, ()))
 }
 
+/// The help where a declaration has no keyword.
+pub(super) const MISSING_KEYWORD: &str =
+    "every declaration begins with a keyword; a constant with `let`";
+
 /// What is wrong with a token behind a complete declaration, or before the first one.
 pub(super) fn stray(input: Stream<'_>) -> Option<Diagnostic> {
     use TokenKind::*;
@@ -287,7 +291,7 @@ pub(super) fn stray(input: Stream<'_>) -> Option<Diagnostic> {
     {
         return Some(misspelt(source, index, keyword));
     }
-    let missing = "every declaration begins with a keyword; a constant with `let`";
+    let missing = MISSING_KEYWORD;
     let help = match input.kind() {
         Unknown => return None,
         Comma => match decimal_comma(source, input.at) {
