@@ -27,7 +27,7 @@ use example_files::{folder, in_name, run, sweeps};
 use serde_json::Value;
 
 /// The mutations that must be found where they are.
-const WANTED: usize = 100;
+const WANTED: usize = 50;
 const SEED: u64 = 20_260_101;
 
 /// Keywords that declare the name behind them.

@@ -45,6 +45,22 @@ const SLIPS: &[(Code, &str, &str)] = &[
     (Code::E0006, "let a = u «**» 2", "`^`"),
     (Code::E0006, "let a = u * «*» 2", "`^`"),
     (Code::E0006, "let a = 1«;»\nlet b = 2", "no `;`"),
+    (
+        Code::E0006,
+        "let a = 2\n«R» = c(v)",
+        "expected a declaration, found `R`",
+    ),
+    (
+        Code::E0006,
+        "let a = 2\n«c»(v) in xy = q",
+        "found `c`; every declaration begins with a keyword",
+    ),
+    (
+        Code::E0006,
+        "expect a == 2\n«f»(1) < 3",
+        "found `f`; write `expect` in front",
+    ),
+    (Code::E0006, "profile p(u) = («start:» 2)", "no function"),
     (Code::E0006, "let a = (1«;» 2)", "no `;`"),
     (Code::E0006, "sweep c(v) on [0, 1«)» = q", "closed"),
     (Code::E0006, "sweep c(v) on «(»0, 1) = q", "closed"),
