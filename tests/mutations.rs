@@ -21,7 +21,7 @@ mod example_files;
 
 use std::fs;
 use std::ops::Range;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use example_files::{folder, in_name, run, sweeps};
 use serde_json::Value;
@@ -115,13 +115,7 @@ struct Mutant {
 
 impl Mutant {
     /// Replaces tokens by a text; `place` reaches to the tokens beside them.
-    fn of(
-        path: &PathBuf,
-        text: &str,
-        tokens: &[Range<usize>],
-        own: Range<usize>,
-        by: &str,
-    ) -> Self {
+    fn of(path: &Path, text: &str, tokens: &[Range<usize>], own: Range<usize>, by: &str) -> Self {
         let bytes = tokens[own.start].start..tokens[own.end - 1].end;
         let before = own.start.checked_sub(1).map_or(0, |own| tokens[own].start);
         let behind = tokens.get(own.end).map_or(text.len(), |own| own.end);
@@ -137,7 +131,7 @@ impl Mutant {
         };
         let changed = format!("{}{by}{}", &text[..bytes.start], &text[bytes.end..]);
         Self {
-            path: path.clone(),
+            path: path.to_path_buf(),
             what: format!("`{}` becomes `{by}`", &text[bytes.clone()]),
             place: before..behind + by.len() - bytes.len(),
             text: changed,

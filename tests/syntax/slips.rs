@@ -47,11 +47,6 @@ const SLIPS: &[(Code, &str, &str)] = &[
     (Code::E0006, "let a = 1«;»\nlet b = 2", "no `;`"),
     (
         Code::E0006,
-        "let a = 2\n«R» = c(v)",
-        "expected a declaration, found `R`",
-    ),
-    (
-        Code::E0006,
         "let a = 2\n«c»(v) in xy = q",
         "found `c`; every declaration begins with a keyword",
     ),
@@ -117,7 +112,7 @@ const SLIPS: &[(Code, &str, &str)] = &[
         "write `profile`",
     ),
     (Code::E0006, "let a = 1\n«imprt» \"b\"", "write `import`"),
-    (Code::E0006, "let a = 1\nb «=» a", "`let`"),
+    (Code::E0006, "let a = 1\n«b» = a", "`let`"),
     (Code::E0006, "let «=» 2", "expected a name, found `=`"),
     (Code::E0006, "let a = c.«2»", "expected a name, found `2`"),
     (Code::E0006, "let a =«»", "found the end of the file"),
