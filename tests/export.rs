@@ -7,12 +7,13 @@
     reason = "tests state facts"
 )]
 
+mod exchange;
 mod nets;
 
 use std::collections::HashMap;
 
+use exchange::{Exchange, bits};
 use nets::{number, patch};
-use ruststep::ast::{EntityInstance, Name, Parameter, Record};
 use serde_json::Value;
 use sweepc::diag::Code;
 use sweepc::export::{ALL, Context, ExportFault, Exported, Fidelity, RoundedNet};
@@ -222,84 +223,18 @@ fn json_layout_is_one_row_a_line() {
     assert_eq!(String::from_utf8(exported.bytes).unwrap(), expected);
 }
 
-/// The bits of all numbers in nested lists, in order.
-fn bits(value: &Value) -> Vec<u64> {
-    match value {
-        Value::Array(items) => items.iter().flat_map(bits).collect(),
-        other => vec![other.as_f64().unwrap().to_bits()],
-    }
-}
-
-/// The entities of an exchange file as another parser reads them: records by name and number.
-struct Exchange {
-    records: HashMap<u64, Vec<Record>>,
-}
-
-impl Exchange {
-    fn read(text: &str) -> Self {
-        let exchange = ruststep::parser::parse(text).unwrap();
-        assert_eq!(exchange.header.len(), 3);
-        let entities = exchange.data[0].entities.iter().map(|own| match own {
-            EntityInstance::Simple { id, record } => (*id, vec![record.clone()]),
-            EntityInstance::Complex { id, subsuper } => {
-                let names: Vec<_> = subsuper.0.iter().map(|own| &own.name).collect();
-                assert!(names.is_sorted(), "{names:?}");
-                (*id, subsuper.0.clone())
-            }
-        });
-        Self {
-            records: entities.collect(),
-        }
-    }
-
-    fn all(&self, name: &str) -> Vec<&Record> {
-        let records = self.records.values().flatten();
-        records.filter(|own| own.name == name).collect()
-    }
-
-    /// The bits of all reals in a parameter; references to points are followed.
-    fn bits(&self, parameter: &Parameter) -> Vec<u64> {
-        match parameter {
-            Parameter::Real(value) => vec![value.to_bits()],
-            Parameter::List(items) => items.iter().flat_map(|own| self.bits(own)).collect(),
-            Parameter::Ref(Name::Entity(id)) => self.bits(&self.records[id][0].parameter),
-            _ => Vec::new(),
-        }
-    }
-}
-
-fn attributes(record: &Record) -> &[Parameter] {
-    match &record.parameter {
-        Parameter::List(items) => items,
-        other => panic!("{other:?}"),
-    }
-}
-
 #[test]
 fn step_and_json_have_the_same_doubles() {
     for (name, net, _) in carried() {
         let step = Exchange::read(&text("step", &net));
         let json: Value = serde_json::from_str(&text("json", &net)).unwrap();
-        let spline = step.all("B_SPLINE_SURFACE");
-        let (points, weights) = match spline.first() {
-            Some(spline) => {
-                let weights = step.all("RATIONAL_B_SPLINE_SURFACE")[0];
-                (&attributes(spline)[2], step.bits(&weights.parameter))
-            }
-            None => {
-                let spline = step.all("B_SPLINE_SURFACE_WITH_KNOTS")[0];
-                (
-                    &attributes(spline)[3],
-                    vec![1_f64.to_bits(); net.weights().len()],
-                )
-            }
-        };
-        assert_eq!(step.bits(points), bits(&json["float"]["points"]), "{name}");
+        let (points, weights) = step.surface();
+        assert_eq!(points, bits(&json["float"]["points"]), "{name}");
         assert_eq!(weights, bits(&json["float"]["weights"]), "{name}");
         let rounded = RoundedNet::new(&net).unwrap();
         let own = rounded.points.iter().flatten().flatten();
         let own: Vec<_> = own.map(|own| own.value().to_bits()).collect();
-        assert_eq!(own, step.bits(points), "{name}");
+        assert_eq!(own, points, "{name}");
     }
 }
 

@@ -276,6 +276,10 @@ fn equal(input: Stream<'_>) -> Parsed<'_, ()> {
     Ok((rest, ()))
 }
 
+/// The help where a declaration has no keyword.
+pub(super) const MISSING_KEYWORD: &str =
+    "every declaration begins with a keyword; a constant with `let`";
+
 /// What is wrong with a token behind a complete declaration, or before the first one.
 pub(super) fn stray(input: Stream<'_>) -> Option<Diagnostic> {
     use TokenKind::*;
@@ -287,7 +291,7 @@ pub(super) fn stray(input: Stream<'_>) -> Option<Diagnostic> {
     {
         return Some(misspelt(source, index, keyword));
     }
-    let missing = "every declaration begins with a keyword; a constant with `let`";
+    let missing = MISSING_KEYWORD;
     let help = match input.kind() {
         Unknown => return None,
         Comma => match decimal_comma(source, input.at) {
@@ -299,6 +303,12 @@ pub(super) fn stray(input: Stream<'_>) -> Option<Diagnostic> {
         }
         Equal => missing,
         DoubleEqual | NotEqual | Less | LessOrEqual | Greater | GreaterOrEqual => {
+            if let Some(start) = line_of_its_own(source, input.at) {
+                let first = source.token(start);
+                let message = format!("expected a declaration, found {}", source.described(first));
+                let finding = Diagnostic::new(Code::E0006, source.span(first), message);
+                return Some(finding.help("write `expect` in front"));
+            }
             "one relation stands in an `expect`, and nowhere else"
         }
         Keyword(self::Keyword::Where) => "only a `construction` takes `where`, once",
@@ -314,6 +324,19 @@ pub(super) fn stray(input: Stream<'_>) -> Option<Diagnostic> {
         _ => return Some(unexpected(format!("unexpected {found}"))),
     };
     Some(unexpected(format!("unexpected {found}")).help(help))
+}
+
+/// The first token of the line of a token, if that is a name or an opener that multiplies, perhaps
+/// against its author's will, what the line before ends with.
+fn line_of_its_own(source: &Source<'_>, at: usize) -> Option<usize> {
+    use TokenKind::*;
+    let start = (0..=at).rev().find(|own| source.begins_line(*own))?;
+    let multiplies = matches!(source.kind(start), Name | OpenParenthesis)
+        && matches!(
+            source.kind_before(start),
+            Name | Number | Prime | DoublePrime | CloseParenthesis
+        );
+    (start < at && multiplies).then_some(start)
 }
 
 /// The first word of the line of a token, if it is nearly a keyword, with that keyword.

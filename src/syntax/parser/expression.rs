@@ -316,6 +316,11 @@ fn number(input: Stream<'_>) -> Parsed<'_, Expr> {
 /// `(a)`, `(a, b)`, `(a, b, c)`
 fn parenthesis(input: Stream<'_>) -> Parsed<'_, Expr> {
     let (rest, (mut entries, span)) = bracketed(Brackets::Round, input, |input| {
+        if is_labelled(input) {
+            let span = input.span_until(input.take_from(2));
+            let message = "only an argument has a label, and here is no function";
+            return told(input, Diagnostic::new(Code::E0006, span, message));
+        }
         separated_list1(comma, cut(expression)).parse(input)
     })?;
     let kind = match entries.pop() {
@@ -381,10 +386,13 @@ fn arguments(input: Stream<'_>) -> Parsed<'_, Vec<Argument>> {
     separated_list1(comma, cut(argument)).parse(input)
 }
 
+/// Whether `NAME :` comes next.
+fn is_labelled(input: Stream<'_>) -> bool {
+    input.kind() == TokenKind::Name && input.source.kind(input.at + 1) == TokenKind::Colon
+}
+
 fn argument(input: Stream<'_>) -> Parsed<'_, Argument> {
-    let labelled =
-        input.kind() == TokenKind::Name && input.source.kind(input.at + 1) == TokenKind::Colon;
-    let (rest, label) = match labelled {
+    let (rest, label) = match is_labelled(input) {
         true => name(input).map(|(rest, label)| (rest.take_from(1), Some(label)))?,
         false => (input, None),
     };

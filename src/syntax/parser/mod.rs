@@ -6,12 +6,12 @@ mod fault;
 mod piece;
 mod stream;
 
-use self::declaration::{declaration, misspelt_keyword, nearly_keyword, stray};
+use self::declaration::{MISSING_KEYWORD, declaration, misspelt_keyword, nearly_keyword, stray};
 use self::fault::Fault;
 use self::stream::{Source, Stream};
 use super::ast::{Document, Name};
-use super::lexer::{TokenKind, tokenize};
-use crate::diag::{Diagnostic, Diagnostics, FileId, Limits};
+use super::lexer::{Keyword, Token, TokenKind, clipped, tokenize};
+use crate::diag::{Code, Diagnostic, Diagnostics, FileId, Limits};
 
 /// The tree of a text. Never fails: what cannot be read is reported, and the parser goes on at the
 /// next declaration.
@@ -59,17 +59,27 @@ fn item<'a>(input: Stream<'a>, document: &mut Document) -> Stream<'a> {
         Ok((rest, item)) => {
             let rest = without_semicolons(rest);
             if rest.kind() == TokenKind::End || source.begins_declaration(rest.at) {
-                document.items.push(item);
+                match name_before_keyword(rest) {
+                    Some(name) => document
+                        .broken
+                        .extend(declared_name(input).into_iter().chain([name])),
+                    None => document.items.push(item),
+                }
                 return rest;
             }
             match swallowed_name(rest) {
                 // the next declaration lost its keyword, and its name went into this value
-                Some(name) => document
-                    .broken
-                    .extend(declared_name(input).into_iter().chain([name])),
-                None => document.items.push(item),
+                Some(name) => {
+                    report_swallowed(rest, &name);
+                    document
+                        .broken
+                        .extend(declared_name(input).into_iter().chain([name]));
+                }
+                None => {
+                    document.items.push(item);
+                    report_stray(rest);
+                }
             }
-            report_stray(rest);
             recovered(rest, rest.at)
         }
         Err(nom::Err::Error(fault) | nom::Err::Failure(fault)) => {
@@ -101,6 +111,19 @@ fn report_stray(input: Stream<'_>) {
     }
 }
 
+/// Reports a declaration without its keyword at its name, if that begins the line.
+fn report_swallowed(input: Stream<'_>, name: &Name) {
+    let source = input.source;
+    let is_name = |token: &Token| source.span(*token) == name.span;
+    let index = source.tokens.iter().position(is_name);
+    if misspelt_keyword(input).is_some() || !index.is_some_and(|own| source.begins_line(own)) {
+        return report_stray(input);
+    }
+    let message = format!("expected a declaration, found `{}`", clipped(&name.text));
+    let finding = Diagnostic::new(Code::E0006, name.span, message);
+    source.report(finding.help(MISSING_KEYWORD));
+}
+
 /// Reports a `;` and skips those that follow.
 fn without_semicolons(input: Stream<'_>) -> Stream<'_> {
     if input.kind() != TokenKind::Semicolon {
@@ -113,7 +136,7 @@ fn without_semicolons(input: Stream<'_>) -> Stream<'_> {
     let rest = input.moved_to(index);
     let span = input.span_until(rest);
     let message = "a declaration needs no `;`";
-    let finding = Diagnostic::new(crate::diag::Code::E0006, span, message);
+    let finding = Diagnostic::new(Code::E0006, span, message);
     input.source.report(finding.help("remove it").fix(span, ""));
     rest
 }
@@ -136,6 +159,20 @@ fn declared_name(input: Stream<'_>) -> Option<Name> {
     (token.kind == TokenKind::Name).then(|| input.source.name(token))
 }
 
+/// The name of a declaration that was put in front of its keyword, and so went into the value of
+/// the declaration before: `b` of `b let = 2`. The next declaration reports that it has no name.
+fn name_before_keyword(input: Stream<'_>) -> Option<Name> {
+    let (source, before) = (input.source, input.at.checked_sub(1)?);
+    let takes_name = !matches!(
+        input.kind(),
+        TokenKind::End | TokenKind::Keyword(Keyword::Expect | Keyword::Import | Keyword::Unit)
+    );
+    let has_none = takes_name && source.kind(input.at + 1) != TokenKind::Name;
+    let token = source.token(before);
+    (has_none && token.kind == TokenKind::Name && source.begins_line(before))
+        .then(|| source.name(token))
+}
+
 /// What a declaration without its keyword declares: `b` of `b(u) = 2u` and of `lett b = 2`.
 fn swallowed_name(input: Stream<'_>) -> Option<Name> {
     let source = input.source;
@@ -145,6 +182,9 @@ fn swallowed_name(input: Stream<'_>) -> Option<Name> {
     let mut index = match misspelt_keyword(input) {
         Some((keyword, _)) => keyword + 1,
         None if input.kind() == TokenKind::Equal => input.at.checked_sub(1)?,
+        None if matches!(input.kind(), TokenKind::Keyword(Keyword::In | Keyword::On)) => {
+            input.at.checked_sub(1)?
+        }
         None => return None,
     };
     if source.kind(index) == TokenKind::CloseParenthesis {
