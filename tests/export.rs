@@ -15,9 +15,9 @@ use nets::{number, patch};
 use ruststep::ast::{EntityInstance, Name, Parameter, Record};
 use serde_json::Value;
 use sweepc::diag::Code;
-use sweepc::export::{ALL, Context, ExportFault, Exported, Fidelity, RoundedNet, Unit};
+use sweepc::export::{ALL, Context, ExportFault, Exported, Fidelity, RoundedNet};
 use sweepc::net::{ControlNet, Knots};
-use sweepc::number::{Field, Real};
+use sweepc::number::{Field, Real, Unit};
 
 fn export(format: &str, net: &ControlNet, context: &Context) -> Result<Exported, ExportFault> {
     let exporter = ALL.iter().find(|own| own.name == format).unwrap();
