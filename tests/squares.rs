@@ -16,6 +16,7 @@ use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use serde_json::Value;
 use support::{Q, compile, coprime, lower, plain, rows, value};
+use sweepc::curve::Interval;
 use sweepc::diag::{Code, Limits};
 use sweepc::net::ControlNet;
 use sweepc::number::{Field, Real};
@@ -180,9 +181,17 @@ fn formula() -> impl Strategy<Value = String> {
         format!("let f(u) = {f} / ({a} + u)\nlet g(u, v) = (u + {g}) / (1 + u v)\n")
     });
     let parts = (part.clone(), part.clone(), part);
-    (profile(), ph("c"), functions, parts).prop_map(|(p, c, functions, (x, y, z))| {
-        format!("{p}{c}{functions}surface R = ({x} + u, {y} + v, {z})")
-    })
+    let domain = prop::sample::select(vec![
+        "",
+        "",
+        " on [-1, 2] x [1/3, 4]",
+        " on [1/2, 1] x [-2, -1]",
+    ]);
+    (profile(), ph("c"), functions, parts, domain).prop_map(
+        |(p, c, functions, (x, y, z), domain)| {
+            format!("{p}{c}{functions}surface R{domain} = ({x} + u, {y} + v, {z})")
+        },
+    )
 }
 
 /// Points inside the domain, on its edges, and outside.
@@ -198,8 +207,8 @@ fn point() -> impl Strategy<Value = (Real, Real)> {
     (at(), at())
 }
 
-fn inside(value: &Real) -> bool {
-    *value >= Real::from(0) && *value <= Real::from(1)
+fn inside(value: &Real, range: &Interval) -> bool {
+    value >= range.start() && value <= range.end()
 }
 
 /// What may go wrong with a formula that was made up.
@@ -231,26 +240,42 @@ fn homogeneous(coordinates: &[BiPoly<Real>; 4], u: &Q, v: &Q) -> [Q; 4] {
     })
 }
 
-fn roads_meet(text: &str, surface: &SweptSurface, expansion: &Expansion, points: &[(Real, Real)]) {
+/// Compares the roads at points; the number of points at which the formula has a value.
+fn roads_meet(
+    text: &str,
+    surface: &SweptSurface,
+    expansion: &Expansion,
+    points: &[(Real, Real)],
+) -> u32 {
     let coordinates = expansion.surface.coordinates();
-    let (zero, one) = (Real::from(0), Real::from(1));
-    let net = ControlNet::bezier(coordinates.each_ref(), (&zero, &one), (&zero, &one));
-    let corner = expansion.surface.weight().evaluate(&zero, &zero);
+    let (in_u, in_v) = (&surface.domain.u, &surface.domain.v);
+    let net = ControlNet::bezier(
+        coordinates.each_ref(),
+        (in_u.start(), in_u.end()),
+        (in_v.start(), in_v.end()),
+    );
+    let corner = expansion
+        .surface
+        .weight()
+        .evaluate(in_u.start(), in_v.start());
     assert_eq!(net.is_none(), corner.is_zero(), "{text}");
+    let mut met = 0;
     for (u, v) in points {
         let [w, x, y, z] = homogeneous(coordinates, &plain(u), &plain(v));
         let own = (!w.is_zero()).then(|| [x, y, z].map(|own| own / &w));
         if let Some(slow) = evaluate_slowly(&surface.coordinates, u, v) {
+            met += 1;
             assert_eq!(Some(slow.map(|own| plain(&own))), own, "({u}, {v})\n{text}");
         }
         if let Some(net) = &net
-            && inside(u)
-            && inside(v)
+            && inside(u, in_u)
+            && inside(v, in_v)
         {
             let blended = net.de_casteljau(u, v).map(|own| own.map(|own| plain(&own)));
             assert_eq!(blended, own, "net at ({u}, {v})\n{text}");
         }
     }
+    met
 }
 
 fn within(low: Option<BiDegree>, high: Option<BiDegree>) -> bool {
@@ -277,8 +302,9 @@ fn degrees_agree(text: &str, expansion: &Expansion) {
     assert!(expansion.coprimality.is_some(), "{text}");
 }
 
-/// W is positive at the first corner, and the coefficients are coprime integers.
-fn is_normal(text: &str, expansion: &Expansion) {
+/// W is positive at the first corner, or begins with a positive term if it vanishes there, and the
+/// coefficients are coprime integers.
+fn is_normal(text: &str, surface: &SweptSurface, expansion: &Expansion) {
     let all = expansion.surface.coordinates().each_ref().map(rows);
     let mut common = BigInt::zero();
     for own in all.iter().flatten().flatten() {
@@ -286,8 +312,11 @@ fn is_normal(text: &str, expansion: &Expansion) {
         common = common.gcd(own.numer());
     }
     assert!(common.is_one(), "{text}");
-    let first = all[0].iter().flatten().find(|own| !own.is_zero()).unwrap();
-    assert!(first.is_positive(), "W begins with {first}\n{text}");
+    let (u, v) = (surface.domain.u.start(), surface.domain.v.start());
+    let [corner, ..] = homogeneous(expansion.surface.coordinates(), &plain(u), &plain(v));
+    let term = all[0].iter().flatten().find(|own| !own.is_zero()).unwrap();
+    let leading = if corner.is_zero() { term } else { &corner };
+    assert!(leading.is_positive(), "W begins with {leading}\n{text}");
 }
 
 /// A fixed number of cases, the same in every run; most of them must say something.
@@ -298,14 +327,15 @@ fn for_all(cases: u32, texts: impl Strategy<Value = String>, least: u32) {
         ..Config::default()
     };
     let rng = TestRng::deterministic_rng(RngAlgorithm::ChaCha);
-    let sound = std::cell::Cell::new(0);
+    let (sound, values) = (std::cell::Cell::new(0), std::cell::Cell::new(0));
     let cases = (texts, prop::collection::vec(point(), 4));
     let outcome = TestRunner::new_with_rng(config, rng).run(&cases, |(text, points)| {
         if let Some((surface, expansion)) = expansion(&text) {
             sound.set(sound.get() + 1);
-            roads_meet(&text, &surface, &expansion, &points);
+            let met = roads_meet(&text, &surface, &expansion, &points);
+            values.set(values.get() + met);
             degrees_agree(&text, &expansion);
-            is_normal(&text, &expansion);
+            is_normal(&text, &surface, &expansion);
         }
         Ok(())
     });
@@ -316,6 +346,11 @@ fn for_all(cases: u32, texts: impl Strategy<Value = String>, least: u32) {
         sound.get() >= least,
         "only {} cases were sound",
         sound.get()
+    );
+    assert!(
+        values.get() >= 2 * least,
+        "only {} values were compared",
+        values.get()
     );
 }
 
