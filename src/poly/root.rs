@@ -89,6 +89,20 @@ impl<F: Field> RealRoot<F> {
         }
     }
 
+    /// The place in words: `v = 1/3`, or for an irrational root an isolating interval that is
+    /// narrow enough to be of use, `v in [181/256, 363/512]`.
+    #[must_use]
+    pub fn place(&self, variable: &str) -> String {
+        let mut root = self.clone();
+        let (numerator, denominator) = self.width().parts();
+        root.refine(&F::from_parts(numerator, denominator * 1024));
+        if root.is_exact() {
+            format!("{variable} = {}", root.lower)
+        } else {
+            format!("{variable} in [{}, {}]", root.lower, root.upper)
+        }
+    }
+
     /// Halves the interval once.
     pub fn halve(&mut self) {
         if !self.is_exact() {
@@ -321,17 +335,6 @@ fn separate<F: Field>(roots: &mut [RealRoot<F>]) {
         }
         if clean {
             return;
-        }
-    }
-}
-
-/// The number if it is exact, else its isolating interval: `1/3`, `a root in [5/8, 3/4]`.
-impl<F: Field> std::fmt::Display for RealRoot<F> {
-    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        if self.is_exact() {
-            write!(formatter, "{}", self.lower)
-        } else {
-            write!(formatter, "a root in [{}, {}]", self.lower, self.upper)
         }
     }
 }
