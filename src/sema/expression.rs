@@ -1,12 +1,11 @@
 use crate::curve::Axis;
 use crate::diag::{Code, Span};
 use crate::number::{Field, Rational, Real};
-use crate::sweep::{Domain, Expander, Form, Scalar};
-use crate::syntax::ast::{Expr, ExprKind, Name, Reference, Sign};
+use crate::sweep::{Domain, Expander, Scalar};
+use crate::syntax::ast::{Expr, ExprKind, Name, Sign};
 
-use super::definition::DefinitionForm;
-use super::lowerer::{Lowered, Lowerer, Meaning, RESERVED, Reported, parameter_of};
-use super::scope::{Binding, Scope};
+use super::lowerer::{Lowered, Lowerer, Reported};
+use super::scope::Scope;
 use super::value::Value;
 
 impl<'a> Lowerer<'a> {
@@ -299,149 +298,6 @@ impl<'a> Lowerer<'a> {
                     .report(finding.help("a vector has the components x, y and z, a pair x and y")))
             }
         }
-    }
-
-    /// A name without a parenthesis.
-    pub(super) fn reference(
-        &mut self,
-        reference: &'a Reference,
-        scope: &Scope<'a>,
-    ) -> Lowered<Value> {
-        let name = &reference.name;
-        if let Some(qualifier) = &reference.qualifier {
-            if let Ok(curve) = self.curve_named(qualifier, scope) {
-                let parameter = curve.parameter();
-                let help = format!(
-                    "write `{}({parameter})`",
-                    self.sources.map.slice(reference.span)
-                );
-                let message = format!("`{}` of a curve needs an argument", name.text);
-                let finding = self.finding(scope, Code::E0107, reference.span, message);
-                return Err(self.report(finding.help(help)));
-            }
-            let base = self.named_value(qualifier, scope)?;
-            return self.component(&base, name, scope);
-        }
-        if reference.primes > 0 {
-            let message = format!("`{}` needs an argument after its prime", name.text);
-            let finding = self.finding(scope, Code::E0107, reference.span, message);
-            return Err(self.report(finding));
-        }
-        self.named_value(name, scope)
-    }
-
-    /// The value that a name stands for: a constant, a parameter, a unit vector, or a function at
-    /// its own parameters.
-    fn named_value(&mut self, name: &Name, scope: &Scope<'a>) -> Lowered<Value> {
-        match self.binding(name, scope)? {
-            Some(Binding::Value(value)) => return Ok(value),
-            Some(Binding::Function(function)) => {
-                return self.bare_function(&function.parameters, &function.value, name, scope);
-            }
-            Some(Binding::Curve(curve)) => {
-                return Err(self.report_bare_curve(name, curve.parameter(), scope));
-            }
-            _ => {}
-        }
-        if RESERVED.contains(&name.text.as_str()) {
-            return self.reserved_value(name, scope);
-        }
-        self.declared_value(name, scope)
-    }
-
-    /// A parameter or a unit vector; the other reserved names are properties.
-    fn reserved_value(&mut self, name: &Name, scope: &Scope<'a>) -> Lowered<Value> {
-        let site = scope.site(name.span);
-        if let Some(parameter) = parameter_of(&name.text) {
-            if scope.allows(parameter) {
-                let form = Form::Parameter(parameter);
-                return Ok(Value::Scalar(Scalar::new(site, form)));
-            }
-            let message = format!("`{}` is not a parameter here", name.text);
-            let finding = self.finding(scope, Code::E0109, name.span, message);
-            let help = match (scope.u, scope.v) {
-                (false, false) => "a constant is needed here",
-                (true, _) => "only `u` may be used here",
-                (_, true) => "only `v` may be used here",
-            };
-            return Err(self.report(finding.help(help)));
-        }
-        if let Some(axis) = ["i", "j", "k"].iter().position(|own| *own == name.text) {
-            let component =
-                |index: usize| Scalar::constant(site, Real::from(i64::from(index == axis)));
-            return Ok(Value::Vector([component(0), component(1), component(2)]));
-        }
-        let message = format!("`{}` is a property and needs an argument", name.text);
-        let finding = self.finding(scope, Code::E0107, name.span, message);
-        let help = format!("write `{0}(u)`, `{0}(v)` or `c.{0}(v)`", name.text);
-        Err(self.report(finding.help(help)))
-    }
-
-    /// A declared constant, or a function at its own parameters.
-    fn declared_value(&mut self, name: &Name, scope: &Scope<'a>) -> Lowered<Value> {
-        let Some(definition) = self.definitions.get(name.text.as_str()) else {
-            return Err(self.report_unknown(name, scope));
-        };
-        let usage = match definition.form {
-            DefinitionForm::Construction { .. } => Some(("construction", "…")),
-            DefinitionForm::Surface { .. } => Some(("surface", "u, v")),
-            _ => None,
-        };
-        if let Some((kind, arguments)) = usage {
-            let message = format!("the {kind} `{}` needs its arguments", name.text);
-            let finding = self.finding(scope, Code::E0107, name.span, message);
-            let help = format!("write `{}({arguments})`", name.text);
-            return Err(self.report(finding.help(help)));
-        }
-        match self.meaning(name, scope)? {
-            Meaning::Constant(value) => {
-                let site = scope.site(name.span);
-                Ok(value.map(|own| Scalar::new(site, own.form().clone())))
-            }
-            Meaning::Function(function) => {
-                self.bare_function(&function.parameters, &function.value, name, scope)
-            }
-            Meaning::Curve(curve) => Err(self.report_bare_curve(name, curve.parameter(), scope)),
-            Meaning::Surface(_) | Meaning::InProgress | Meaning::Failed => Err(Reported),
-        }
-    }
-
-    fn bare_function(
-        &mut self,
-        parameters: &[crate::curve::Parameter],
-        value: &Value,
-        name: &Name,
-        scope: &Scope<'_>,
-    ) -> Lowered<Value> {
-        match parameters
-            .iter()
-            .find(|parameter| !scope.allows(**parameter))
-        {
-            None => Ok(value.clone()),
-            Some(missing) => {
-                let message = format!(
-                    "`{}` depends on `{missing}`, which is not a parameter here",
-                    name.text
-                );
-                let finding = self.finding(scope, Code::E0109, name.span, message);
-                Err(self.report(finding))
-            }
-        }
-    }
-
-    fn report_bare_curve(
-        &mut self,
-        name: &Name,
-        parameter: crate::curve::Parameter,
-        scope: &Scope<'_>,
-    ) -> Reported {
-        let message = format!("the curve `{}` needs an argument", name.text);
-        let finding = self.finding(scope, Code::E0107, name.span, message);
-        self.report(
-            finding
-                .fix(name.span, format!("{}({parameter})", name.text))
-                .help("give the parameter"),
-        )
     }
 
     /// Reports a name that nothing declares, with the nearest spelling that is declared.

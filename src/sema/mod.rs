@@ -5,6 +5,7 @@
 //! is sound.
 
 mod apply;
+mod bare;
 mod call;
 mod constructor;
 mod curve;
