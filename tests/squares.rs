@@ -131,9 +131,9 @@ fn offset() -> impl Strategy<Value = String> {
     (ph("p"), distance).prop_map(|(p, d)| format!("{p}surface R = offset_translation(p, {d})"))
 }
 
-/// Formulas without a plan: derivatives, substitutions, compositions, properties, quotients.
-fn formula() -> impl Strategy<Value = String> {
-    let atom = prop_oneof![
+/// What a formula is made of.
+fn atom() -> impl Strategy<Value = String> {
+    prop_oneof![
         number(),
         Just("u".to_owned()),
         Just("v".to_owned()),
@@ -165,8 +165,12 @@ fn formula() -> impl Strategy<Value = String> {
             "f(f(u))",
         ])
         .prop_map(str::to_owned),
-    ];
-    let part = atom.prop_recursive(2, 6, 3, |inner| {
+    ]
+}
+
+/// Formulas without a plan: derivatives, substitutions, compositions, properties, quotients.
+fn formula() -> impl Strategy<Value = String> {
+    let part = atom().prop_recursive(2, 6, 3, |inner| {
         prop_oneof![
             (inner.clone(), inner.clone()).prop_map(|(a, b)| format!("({a} + {b})")),
             (inner.clone(), inner.clone()).prop_map(|(a, b)| format!("({a} - {b})")),
