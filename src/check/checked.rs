@@ -24,6 +24,9 @@ pub struct Checked {
     rational_offset: Verdict,
 }
 
+/// How many poles an error lists.
+const POLES_SHOWN: usize = 4;
+
 impl Checked {
     /// Expands a surface and decides what there is to decide.
     ///
@@ -137,8 +140,11 @@ impl Checked {
             self.name()
         );
         let mut finding = Diagnostic::new(Code::E0301, self.definition.span, message);
-        for pole in &self.poles {
+        for pole in self.poles.iter().take(POLES_SHOWN) {
             finding = finding.note(format!("W = 0 at {pole}"));
+        }
+        if let Some(more @ 1..) = self.poles.len().checked_sub(POLES_SHOWN) {
+            finding = finding.note(format!("and at {more} more places; the report lists them"));
         }
         Some(finding.help("end the domain before the pole: `on [a, b] x [c, d]`"))
     }

@@ -91,7 +91,9 @@ impl Fault {
             Self::NotPythagorean { .. } => Some(
                 "give the curve by a preimage, `ph(start: P, preimage: [(a, b), …])`, or use only x, y, z",
             ),
-            Self::IrrationalSpeed { .. } => Some("this version computes over the rational numbers"),
+            Self::IrrationalSpeed { .. } => Some(
+                "this version computes over the rational numbers: turn or scale the curve, or give it by a rational preimage",
+            ),
             Self::SpeedChangesSign { .. } => Some("end the domain at the change of sign"),
             Self::ArcLengthNotRational { .. } => {
                 Some("polynomial Pythagorean-hodograph curves have a rational arc length")
@@ -99,7 +101,13 @@ impl Fault {
             Self::NotPlane => {
                 Some("give it by pairs and name its plane: `in xy`, `in xz` or `in yz`")
             }
-            Self::InfiniteArcLength { .. } | Self::NoMotion | Self::StraightLine => None,
+            Self::NoMotion => {
+                Some("a fixed vector is a constant, `let a = (1, 2, 3)`, not a curve")
+            }
+            Self::StraightLine => {
+                Some("its radius of curvature does not exist; use a curve that turns")
+            }
+            Self::InfiniteArcLength { .. } => Some("end the domain before the pole"),
         }
     }
 

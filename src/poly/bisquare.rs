@@ -99,7 +99,7 @@ fn refuted_by_image<F: Field>(polynomial: &BiPoly<F>) -> Option<String> {
         ] {
             if !image?.is_square() {
                 let place = format!("{variable} = {point}");
-                return Some(format!("its image at {place} modulo 2^61 - 1 is none"));
+                return Some(format!("its image at {place} modulo 2^61 - 1 is not one"));
             }
         }
     }
