@@ -1,9 +1,10 @@
 use crate::diag::{Code, Diagnostic, Limits};
 use crate::number::Real;
-use crate::poly::{BiPoly, ZeroSet};
-use crate::sweep::{Domain, Expansion, HomogeneousSurface, SweptSurface, normal_direction};
+use crate::poly::ZeroSet;
+use crate::sweep::{Domain, Expansion, HomogeneousSurface, SweptSurface};
 
 use super::affine::affine_degrees;
+use super::direction::NormalDirection;
 use super::offset::rational_offset;
 use super::pole::poles;
 use super::regular::regular;
@@ -19,6 +20,7 @@ pub struct Checked {
     weights: Option<WeightRange>,
     poles: Vec<ZeroSet<Real>>,
     regular: Verdict,
+    singular: Vec<ZeroSet<Real>>,
     rational_offset: Verdict,
 }
 
@@ -32,17 +34,23 @@ impl Checked {
         let expansion = Expansion::of(&definition, limits)?;
         let surface = &expansion.surface;
         let domain = &definition.domain;
-        let direction = normal_direction(surface);
-        if direction.iter().all(BiPoly::is_zero) {
+        let Some(direction) = NormalDirection::of(surface) else {
             let message = format!("`{}` is a curve or a point, not a surface", definition.name);
             let finding = Diagnostic::new(Code::E0302, definition.span, message);
             return Err(Box::new(finding.note("R_u × R_v is zero identically")));
-        }
+        };
         let poles = poles(surface, domain);
+        let (regular, singular) = if poles.is_empty() {
+            regular(&direction, domain)
+        } else {
+            let reason = "the surface has a pole on the domain".to_owned();
+            (Verdict::Undecided(reason), Vec::new())
+        };
         let weights = weight_range(surface.weight(), surface.bidegree(), domain);
         Ok(Self {
             affine: affine_degrees(surface),
-            regular: regular(&direction, domain),
+            regular,
+            singular,
             rational_offset: rational_offset(&direction),
             weights,
             poles,
@@ -103,6 +111,13 @@ impl Checked {
     #[must_use]
     pub fn regular(&self) -> &Verdict {
         &self.regular
+    }
+
+    /// Places on the domain where R_u × R_v is zero. Lines are complete, of others there may be
+    /// more.
+    #[must_use]
+    pub fn singular(&self) -> &[ZeroSet<Real>] {
+        &self.singular
     }
 
     /// Whether the offsets are rational in the same parameters.

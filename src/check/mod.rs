@@ -5,6 +5,7 @@
 
 mod affine;
 mod checked;
+mod direction;
 mod expectation;
 mod offset;
 mod pole;

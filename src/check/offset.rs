@@ -1,21 +1,13 @@
-use crate::number::{Field, Real};
-use crate::poly::{BiPoly, BiSquareTest, square_test_bi};
+use crate::poly::BiSquareTest;
 
 use super::Verdict;
+use super::direction::NormalDirection;
 
-/// Whether ‖R_u × R_v‖ is a rational function, so that the unit normal and every offset are.
-///
-/// `direction` is the polynomial vector M with R_u × R_v = M / W³; the statement is that M·M is
-/// a positive number times a square.
-pub(super) fn rational_offset(direction: &[BiPoly<Real>; 3]) -> Verdict {
-    let squared = direction
-        .iter()
-        .fold(BiPoly::zero(), |sum, own| &sum + &(own * own));
-    match square_test_bi(&squared) {
-        BiSquareTest::Square { factor, .. } if factor.sign().is_gt() => {
-            Verdict::Proven("‖R_u × R_v‖² is a square".to_owned())
-        }
-        BiSquareTest::Square { .. } => Verdict::Refuted("R_u × R_v is zero".to_owned()),
+/// Whether ‖R_u × R_v‖ is a rational function up to a constant factor, so that the unit normal
+/// and every offset are rational.
+pub(super) fn rational_offset(direction: &NormalDirection) -> Verdict {
+    match &direction.square {
+        BiSquareTest::Square { .. } => Verdict::Proven("‖R_u × R_v‖² is a square".to_owned()),
         BiSquareTest::NotSquare { reason } => {
             Verdict::Refuted(format!("‖R_u × R_v‖² is not a square: {reason}"))
         }

@@ -113,15 +113,16 @@ impl Fault {
                 odd_part.display(&variable)
             )),
             Self::SpeedChangesSign { root } => Some(format!(
-                "the factor {} changes sign at {variable} = {root}",
-                root.polynomial().display(&variable)
+                "the factor {} changes sign at {}",
+                root.polynomial().display(&variable),
+                root.place(&variable)
             )),
             Self::ArcLengthNotRational { logarithmic } => Some(format!(
                 "the integral of σ has logarithms or arctangents from the poles {} = 0",
                 logarithmic.display(&variable)
             )),
             Self::InfiniteArcLength { root } => {
-                Some(format!("σ has a pole at {variable} = {root}"))
+                Some(format!("σ has a pole at {}", root.place(&variable)))
             }
             Self::IrrationalSpeed { .. } | Self::NoMotion | Self::NotPlane | Self::StraightLine => {
                 None

@@ -1,7 +1,7 @@
 use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
 
-use crate::number::Field;
+use crate::number::{Field, Integer, Ring, lcm};
 
 use super::{BiDegree, UniPoly, gcd_all};
 
@@ -91,15 +91,32 @@ impl<F: Field> BiPoly<F> {
     /// The coefficients of 1, u, u², … as polynomials in v; the last is not 0.
     #[must_use]
     pub fn rows(&self) -> Vec<UniPoly<F>> {
-        let mut rows: Vec<UniPoly<F>> = Vec::new();
+        let denominators = self.terms.iter().map(|(_, in_v)| in_v.denominator());
+        let common = denominators.fold(Integer::one(), |common, own| lcm(&common, own));
+        let length = |own: &UniPoly<F>| own.numerators().len();
+        let height = self.terms.iter().map(|(in_u, _)| length(in_u)).max();
+        let width = self.terms.iter().map(|(_, in_v)| length(in_v)).max();
+        let mut rows = vec![vec![F::Ring::zero(); width.unwrap_or(0)]; height.unwrap_or(0)];
         for (in_u, in_v) in &self.terms {
-            rows.resize(rows.len().max(in_u.numerators().len()), UniPoly::zero());
-            for (power, coefficient) in in_u.coefficients().iter().enumerate() {
-                if !coefficient.is_zero() {
-                    rows[power] = &rows[power] + &in_v.scale(coefficient);
+            // Primitive factors in u stand over 1.
+            let factor = &common / in_v.denominator();
+            let in_v: Vec<_> = in_v
+                .numerators()
+                .iter()
+                .map(|own| own.scaled(&factor))
+                .collect();
+            for (row, left) in rows.iter_mut().zip(in_u.numerators()) {
+                if !left.is_zero() {
+                    for (sum, right) in row.iter_mut().zip(&in_v) {
+                        sum.add_product(left, right);
+                    }
                 }
             }
         }
+        let rows = rows
+            .into_iter()
+            .map(|row| UniPoly::from_numerators(row, common.clone()));
+        let mut rows: Vec<_> = rows.collect();
         while rows.last().is_some_and(UniPoly::is_zero) {
             rows.pop();
         }
@@ -180,13 +197,28 @@ impl<F: Field> BiPoly<F> {
     /// ∂p/∂v
     #[must_use]
     pub fn derivative_v(&self) -> Self {
-        self.map(|in_u, in_v| (in_u.clone(), in_v.derivative()))
+        let mut polynomial = Self::zero();
+        for (in_u, in_v) in &self.terms {
+            let slope = in_v.derivative();
+            if !slope.is_zero() {
+                polynomial.add_primitive_term(in_u.clone(), slope);
+            }
+        }
+        polynomial
     }
 
     /// c p
     #[must_use]
     pub fn scale(&self, factor: &F) -> Self {
-        self.map(|in_u, in_v| (in_u.clone(), in_v.scale(factor)))
+        if factor.is_zero() {
+            return Self::zero();
+        }
+        let terms = self.terms.iter();
+        Self {
+            terms: terms
+                .map(|(in_u, in_v)| (in_u.clone(), in_v.scale(factor)))
+                .collect(),
+        }
     }
 
     /// pⁿ
@@ -262,11 +294,18 @@ impl<F: Field> BiPoly<F> {
             return;
         }
         let primitive = in_u.primitive();
+        if primitive == *in_u {
+            return self.add_primitive_term(primitive, in_v.clone());
+        }
         let scale = in_u.leading_coefficient();
-        let in_v = match primitive.leading_coefficient().inverse() {
-            Some(inverse) => in_v.scale(&scale.times(&inverse)),
-            None => return,
-        };
+        if let Some(inverse) = primitive.leading_coefficient().inverse() {
+            let in_v = in_v.scale(&scale.times(&inverse));
+            self.add_primitive_term(primitive, in_v);
+        }
+    }
+
+    /// Adds f(u) g(v) with a primitive f and g ≠ 0.
+    fn add_primitive_term(&mut self, primitive: UniPoly<F>, in_v: UniPoly<F>) {
         if let Some(index) = self.terms.iter().position(|(own, _)| *own == primitive) {
             self.terms[index].1 = &self.terms[index].1 + &in_v;
             if self.terms[index].1.is_zero() {
@@ -279,6 +318,16 @@ impl<F: Field> BiPoly<F> {
             return self.add_term(&(&own + &primitive), &in_v);
         }
         self.terms.push((primitive, in_v));
+    }
+
+    /// The primitive form of a product of primitive polynomials: itself where Gauss's lemma
+    /// holds.
+    fn add_product_term(&mut self, in_u: UniPoly<F>, in_v: UniPoly<F>) {
+        if F::Ring::GAUSS {
+            self.add_primitive_term(in_u, in_v);
+        } else {
+            self.add_term(&in_u, &in_v);
+        }
     }
 
     /// Falls back to the dense form once that has fewer terms.
@@ -346,7 +395,7 @@ impl<F: Field> Add for &BiPoly<F> {
     fn add(self, other: Self) -> BiPoly<F> {
         let mut sum = self.clone();
         for (in_u, in_v) in &other.terms {
-            sum.add_term(in_u, in_v);
+            sum.add_primitive_term(in_u.clone(), in_v.clone());
         }
         sum.limit_terms()
     }
@@ -375,7 +424,7 @@ impl<F: Field> Mul for &BiPoly<F> {
         let mut product = BiPoly::zero();
         for (left_u, left_v) in &self.terms {
             for (right_u, right_v) in &other.terms {
-                product.add_term(&(left_u * right_u), &(left_v * right_v));
+                product.add_product_term(left_u * right_u, left_v * right_v);
             }
         }
         product.limit_terms()

@@ -42,4 +42,4 @@ pub use square::{SquareTest, square_test};
 pub use squarefree::{odd_part, square_free};
 pub use sturm::count_roots;
 pub use uni::UniPoly;
-pub use zero_set::{ZeroKind, ZeroSet, Zeros, zeros_in_box};
+pub use zero_set::{ZeroKind, ZeroSet, Zeros, zeros_by_subdivision, zeros_in_box};

@@ -89,6 +89,20 @@ impl<F: Field> RealRoot<F> {
         }
     }
 
+    /// The place in words: `v = 1/3`, or for an irrational root an isolating interval that is
+    /// narrow enough to be of use, `v in [181/256, 363/512]`.
+    #[must_use]
+    pub fn place(&self, variable: &str) -> String {
+        let mut root = self.clone();
+        let (numerator, denominator) = self.width().parts();
+        root.refine(&F::from_parts(numerator, denominator * 1024));
+        if root.is_exact() {
+            format!("{variable} = {}", root.lower)
+        } else {
+            format!("{variable} in [{}, {}]", root.lower, root.upper)
+        }
+    }
+
     /// Halves the interval once.
     pub fn halve(&mut self) {
         if !self.is_exact() {
@@ -118,6 +132,7 @@ pub(super) fn middle<F: Field>(lower: &F, upper: &F) -> F {
 /// inside it. None are listed for the polynomial 0.
 ///
 /// - **holds** over ℚ a rational root is exact
+/// - **holds** an isolating interval is no wider than a 1024th of the range
 /// - **cost** a square-free factorisation, then Bernstein coefficients halved until Descartes'
 ///   rule of signs leaves one change or none
 #[must_use]
@@ -136,8 +151,17 @@ pub fn real_roots<F: Field>(polynomial: &UniPoly<F>, from: &F, to: &F) -> Vec<Re
         roots_of_factor(factor, multiplicity, (from, to), &mut roots);
     }
     separate(&mut roots);
+    let width = to
+        .minus(from)
+        .times(&F::from_parts(F::Ring::one(), Integer::from(FINENESS)));
+    for root in &mut roots {
+        root.refine(&width);
+    }
     roots
 }
+
+/// Isolating intervals are at most this part of the range in which roots are asked for.
+const FINENESS: i64 = 1024;
 
 /// The first root of odd multiplicity in the open interval (from, to): there the polynomial
 /// changes its sign.
@@ -311,17 +335,6 @@ fn separate<F: Field>(roots: &mut [RealRoot<F>]) {
         }
         if clean {
             return;
-        }
-    }
-}
-
-/// The number if it is exact, else its isolating interval: `1/3`, `a root in [5/8, 3/4]`.
-impl<F: Field> std::fmt::Display for RealRoot<F> {
-    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        if self.is_exact() {
-            write!(formatter, "{}", self.lower)
-        } else {
-            write!(formatter, "a root in [{}, {}]", self.lower, self.upper)
         }
     }
 }

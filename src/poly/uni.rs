@@ -126,6 +126,9 @@ impl<F: Field> UniPoly<F> {
     /// c p(x)
     #[must_use]
     pub fn scale(&self, factor: &F) -> Self {
+        if *factor == F::one() {
+            return self.clone();
+        }
         let (numerator, denominator) = factor.parts();
         let scaled = self.numerators.iter().map(|own| own.times(&numerator));
         Self::from_numerators(scaled.collect(), &self.denominator * denominator)

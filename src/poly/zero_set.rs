@@ -105,24 +105,67 @@ const ENOUGH: usize = 16;
 ///   takes 4 degᵤ degᵥ univariate resultants
 #[must_use]
 pub fn zeros_in_box<F: Field>(polynomial: &BiPoly<F>, u: (&F, &F), v: (&F, &F)) -> Zeros<F> {
+    let decided = search(
+        polynomial,
+        u,
+        v,
+        Effort {
+            pieces: PIECES,
+            eliminate: true,
+        },
+    );
+    decided.unwrap_or(Zeros::None)
+}
+
+/// As [`zeros_in_box`], but by subdivision into so many pieces only; none if that decides nothing.
+#[must_use]
+pub fn zeros_by_subdivision<F: Field>(
+    polynomial: &BiPoly<F>,
+    u: (&F, &F),
+    v: (&F, &F),
+    pieces: usize,
+) -> Option<Zeros<F>> {
+    search(
+        polynomial,
+        u,
+        v,
+        Effort {
+            pieces,
+            eliminate: false,
+        },
+    )
+}
+
+/// How far a search goes.
+#[derive(Clone, Copy)]
+struct Effort {
+    pieces: usize,
+    eliminate: bool,
+}
+
+/// The zeros that are found; none if the effort does not suffice to find one or to exclude all.
+fn search<F: Field>(
+    polynomial: &BiPoly<F>,
+    u: (&F, &F),
+    v: (&F, &F),
+    effort: Effort,
+) -> Option<Zeros<F>> {
     if u.0 > u.1 || v.0 > v.1 {
-        return Zeros::None;
+        return Some(Zeros::None);
     }
     if polynomial.is_zero() {
-        return Zeros::of(vec![set(ZeroKind::Box, u, v)]);
+        return Some(Zeros::of(vec![set(ZeroKind::Box, u, v)]));
     }
     if u.0 == u.1 || v.0 == v.1 {
-        return Zeros::of(zeros_in_flat_box(polynomial, u, v));
+        return Some(Zeros::of(zeros_in_flat_box(polynomial, u, v)));
     }
     if polynomial.terms().len() > 1 {
         let signs = Tensor::of(polynomial, u, v).signs();
         if !(signs.zero || signs.are_mixed()) {
-            return Zeros::None;
+            return Some(Zeros::None);
         }
     }
-    let Some((in_u, in_v, rest)) = polynomial.split() else {
-        return Zeros::None;
-    };
+    let (in_u, in_v, rest) = polynomial.split()?;
     let mut zeros = Vec::new();
     for (lower, upper) in points(&in_u, u) {
         zeros.push(set(ZeroKind::LineU, (&lower, &upper), v));
@@ -131,17 +174,26 @@ pub fn zeros_in_box<F: Field>(polynomial: &BiPoly<F>, u: (&F, &F), v: (&F, &F)) 
         zeros.push(set(ZeroKind::LineV, u, (&lower, &upper)));
     }
     if rest.as_constant().is_none() {
-        let found = zeros_of_primitive(&rest, u, v, zeros.is_empty());
+        let (found, open) = zeros_of_primitive(&rest, u, v, effort, zeros.is_empty());
         zeros.extend(found);
+        if open && zeros.is_empty() {
+            return None;
+        }
     }
-    Zeros::of(zeros)
+    Some(Zeros::of(zeros))
 }
 
-/// The isolating bounds of the roots in a range; of all multiplicities.
+/// The isolating bounds of the roots in a range, no wider than 1/1024 of it; of all
+/// multiplicities.
 pub(super) fn points<F: Field>(polynomial: &UniPoly<F>, range: (&F, &F)) -> Vec<(F, F)> {
+    let (numerator, denominator) = range.1.minus(range.0).parts();
+    let width = F::from_parts(numerator, denominator * 1024);
     real_roots(polynomial, range.0, range.1)
         .into_iter()
-        .map(|root| (root.lower().clone(), root.upper().clone()))
+        .map(|mut root| {
+            root.refine(&width);
+            (root.lower().clone(), root.upper().clone())
+        })
         .collect()
 }
 
@@ -174,23 +226,25 @@ fn zeros_in_flat_box<F: Field>(
         .collect()
 }
 
-/// Some zeros of a polynomial without divisors in one variable alone; the empty list proves that
-/// there are none, if the question has to be decided.
+/// Some zeros of a polynomial without divisors in one variable alone, and whether pieces of the
+/// box are open still. The empty list and no open piece prove that there are none.
 fn zeros_of_primitive<F: Field>(
     polynomial: &BiPoly<F>,
     u: (&F, &F),
     v: (&F, &F),
+    effort: Effort,
     decide: bool,
-) -> Vec<ZeroSet<F>> {
+) -> (Vec<ZeroSet<F>>, bool) {
     let mut zeros = edge_zeros(polynomial, u, v);
-    let open = subdivide(polynomial, u, v, &mut zeros);
-    if !zeros.is_empty() || !decide {
-        return zeros;
+    let open = subdivide(polynomial, u, v, effort.pieces, &mut zeros);
+    if !zeros.is_empty() || !decide || !effort.eliminate {
+        return (zeros, !open.is_empty());
     }
     let Some((u, v)) = hull(&open) else {
-        return zeros;
+        return (zeros, false);
     };
-    zeros_by_elimination(polynomial, (&u.0, &u.1), (&v.0, &v.1))
+    let found = zeros_by_elimination(polynomial, (&u.0, &u.1), (&v.0, &v.1));
+    (found, false)
 }
 
 /// A part of the box, with the coefficients there.
@@ -249,6 +303,7 @@ fn subdivide<F: Field>(
     polynomial: &BiPoly<F>,
     u: (&F, &F),
     v: (&F, &F),
+    most: usize,
     zeros: &mut Vec<ZeroSet<F>>,
 ) -> Vec<ZeroSet<F>> {
     let mut open = Vec::new();
@@ -275,7 +330,7 @@ fn subdivide<F: Field>(
         let both = [Ordering::Less, Ordering::Greater].map(|sign| corners.contains(&sign));
         if piece.depth >= LOCATED && both == [true, true] {
             zeros.push(piece.bounds);
-        } else if piece.depth >= DEEPEST || looked > PIECES || zeros.len() >= ENOUGH {
+        } else if piece.depth >= DEEPEST || looked > most || zeros.len() >= ENOUGH {
             open.push(piece.bounds);
         } else {
             pieces.extend(piece.halve());

@@ -51,6 +51,7 @@ pub struct SurfaceReport {
     pub(super) patch: PatchReport,
     pub(super) weights: WeightsReport,
     pub(super) poles: Vec<PlaceReport>,
+    pub(super) singular: Vec<PlaceReport>,
     pub(super) regular: Decision,
     pub(super) rational_offset: Decision,
     pub(super) expectations: Vec<ExpectationReport>,
@@ -189,6 +190,7 @@ impl SurfaceReport {
                 max: range.map(|range| range.max.to_string()),
             },
             poles: surface.poles().iter().map(place).collect(),
+            singular: surface.singular().iter().map(place).collect(),
             regular: Decision::of(surface.regular()),
             rational_offset: Decision::of(surface.rational_offset()),
             expectations: judgements

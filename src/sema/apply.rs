@@ -119,9 +119,11 @@ impl<'a> Lowerer<'a> {
         if let Some(reported) = self.report_constructor(name, scope) {
             return Err(reported);
         }
-        // The arguments may hold findings of their own.
+        // The arguments may hold findings of their own, but a bare name may stand for a curve.
         for argument in arguments {
-            let _ = self.value(&argument.value, scope);
+            if !matches!(argument.value.kind, ExprKind::Reference(_)) {
+                let _ = self.value(&argument.value, scope);
+            }
         }
         Err(self.report_unknown(name, scope))
     }

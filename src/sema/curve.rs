@@ -233,8 +233,9 @@ impl<'a> Lowerer<'a> {
         }
         if let Some(root) = position.common_zero(domain) {
             let message = format!(
-                "numerators and denominator of `{}` are all zero at {parameter} = {root}",
-                name.text
+                "numerators and denominator of `{}` are all zero at {}",
+                name.text,
+                root.place(&parameter.to_string())
             );
             let finding = Diagnostic::new(Code::W1004, name.span, message);
             self.report(finding.note("the common factor cancels, the curve is sound there"));

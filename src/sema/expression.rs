@@ -471,7 +471,11 @@ impl<'a> Lowerer<'a> {
             .map(|frame| frame.bindings.borrow().keys().cloned().collect::<Vec<_>>());
         let declared = self.definitions.keys().map(|own| (*own).to_owned());
         let built_in = super::call::BUILT_IN.iter().map(|own| (*own).to_owned());
-        let limit = name.chars().count().div_ceil(3);
+        // A single letter is like any other; that is no help.
+        let limit = match name.chars().count() {
+            0 | 1 => 0,
+            length => length.div_ceil(3),
+        };
         local
             .unwrap_or_default()
             .into_iter()

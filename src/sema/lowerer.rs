@@ -306,6 +306,19 @@ impl<'a> Lowerer<'a> {
         }
     }
 
+    /// The names of the curves of a role, in the order of the text.
+    pub(super) fn curves_of(&self, role: Role) -> Vec<&'a Name> {
+        let of_role = |definition: &&Definition<'a>| matches!(definition.form, DefinitionForm::Curve { role: own, .. } if own == role);
+        let mut names: Vec<_> = self
+            .definitions
+            .values()
+            .filter(of_role)
+            .map(|own| own.name)
+            .collect();
+        names.sort_by_key(|own| own.span);
+        names
+    }
+
     /// What a declared name means; it is worked out at its first use.
     pub(super) fn meaning(&mut self, name: &Name, scope: &Scope<'a>) -> Lowered<Meaning> {
         let Some(definition) = self.definitions.get(name.text.as_str()).copied() else {

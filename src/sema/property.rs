@@ -133,10 +133,12 @@ impl<'a> Lowerer<'a> {
                 Err(self.report(finding.help(format!("name the curve: {}", qualified("c")))))
             }
             Err(count) => {
+                let all = self.curves_of(role);
+                let all: Vec<String> = all.iter().take(3).map(|own| qualified(&own.text)).collect();
                 let message =
                     format!("the file has {count} {what}s: `{text}` must be named by its curve");
                 let finding = self.finding(scope, Code::E0105, function.span, message);
-                Err(self.report(finding.help(format!("write {}", qualified("c")))))
+                Err(self.report(finding.help(format!("write {}", all.join(" or ")))))
             }
         }
     }
@@ -196,7 +198,7 @@ impl<'a> Lowerer<'a> {
         }
         let places: Vec<String> = cusps
             .iter()
-            .map(|own| format!("{} = {own}", curve.parameter()))
+            .map(|own| own.place(&curve.parameter().to_string()))
             .collect();
         let message = format!(
             "`{}` has a cusp: σ vanishes at {}",

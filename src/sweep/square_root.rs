@@ -97,10 +97,10 @@ impl Root {
     fn change_of_sign(&self, domain: &Domain) -> Option<String> {
         let [u, v] = [&domain.u, &domain.v];
         if let Some(root) = sign_change(&self.in_u, u.start(), u.end()) {
-            return Some(format!("the sign changes at u = {root}"));
+            return Some(format!("the sign changes at {}", root.place("u")));
         }
         if let Some(root) = sign_change(&self.in_v, v.start(), v.end()) {
-            return Some(format!("the sign changes at v = {root}"));
+            return Some(format!("the sign changes at {}", root.place("v")));
         }
         if self.mixed.as_constant().is_some() {
             return None;

@@ -1,0 +1,313 @@
+//! What the compiler refuses or warns of, in the terms of the curve or surface it is about.
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    missing_docs,
+    reason = "tests state facts"
+)]
+
+mod support;
+
+use support::compile;
+
+const PROFILE: &str = "profile p(u) in xz = (u, u^2)\n";
+
+/// The findings of a text are exactly these codes, and what is printed says all of this.
+fn says(text: &str, codes: &[&str], parts: &[&str]) {
+    let compiled = compile(text);
+    let printed = compiled.all();
+    let found: Vec<&str> = compiled.codes().iter().map(|own| own.as_str()).collect();
+    assert_eq!(found, codes, "{text}\n{printed}");
+    for part in parts {
+        assert!(printed.contains(part), "no `{part}` in\n{printed}");
+    }
+}
+
+/// A sweep whose only property of the curve is the one in the formula.
+fn sweep(curve: &str, formula: &str) -> String {
+    format!("{PROFILE}sweep c(v) {curve}\nsurface R = {formula}")
+}
+
+const TRANSLATION: &str = "c(v) + x(u) n(v) + z(u) k";
+
+#[test]
+fn not_pythagorean() {
+    // ‖c′‖² = 1 + 4v²
+    says(
+        &sweep("in xy = (v, v^2)", TRANSLATION),
+        &["E0201"],
+        &[
+            "`c` is not a Pythagorean-hodograph curve",
+            "an odd number of times: 4 v^2 + 1",
+            ":3:25",
+        ],
+    );
+    // ‖c′‖² = v² (4 + 9v²): only the odd part is shown
+    says(
+        &sweep("in xy = (v^2, v^3)", TRANSLATION),
+        &["E0201"],
+        &["an odd number of times: 9 v^2 + 4\n"],
+    );
+    // in the curve's own parameter
+    says(
+        "profile p(u) in xy = (u, u^2)\nsurface R = offset_translation(p, v)",
+        &["E0201"],
+        &["‖p′‖² has this factor an odd number of times: 4 u^2 + 1"],
+    );
+}
+
+#[test]
+fn arc_length_of_a_circle() {
+    // σ = 2/(1 + v²)
+    says(
+        &sweep(
+            "in xy = ((1 - v^2) / (1 + v^2), 2v / (1 + v^2))",
+            "c(v) + s(v) x(u) k",
+        ),
+        &["E0203"],
+        &[
+            "the arc length of `c` is not a rational function",
+            "from the poles v^2 + 1 = 0",
+        ],
+    );
+}
+
+#[test]
+fn infinite_arc_length() {
+    says(
+        &sweep("in xy = (1 / (2v - 1), 0)", "c(v) + s(v) x(u) k"),
+        &["E0203"],
+        &[
+            "the arc length of `c` is infinite on its domain",
+            "σ has a pole at v = 1/2",
+        ],
+    );
+}
+
+#[test]
+fn curvature_radius_of_a_line() {
+    says(
+        &sweep("in xy = line((0, 0), (3, 4))", "c(v) + ρ(v) n(v) + x(u) k"),
+        &["E0207"],
+        &["`c` is a straight line: its curvature is zero"],
+    );
+}
+
+#[test]
+fn no_motion() {
+    says(
+        &sweep("in xy = (1, 2)", TRANSLATION),
+        &["E0204"],
+        &["`c` is constant"],
+    );
+}
+
+#[test]
+fn domains() {
+    says(
+        &sweep("in xy on [1, 1] = (v, 0)", TRANSLATION),
+        &["E0205"],
+        &["the domain [1, 1] is empty", "2:21"],
+    );
+    says(
+        &sweep("in xy on [2, 1/2] = (v, 0)", TRANSLATION),
+        &["E0205"],
+        &["the domain [2, 1/2] is reversed"],
+    );
+}
+
+#[test]
+fn hodograph_that_changes_sign() {
+    // c′ = (3v − 2) (v, 0)
+    says(
+        &sweep("in xy = (v^3 - v^2, 0)", TRANSLATION),
+        &["E0202"],
+        &["`c`", "the factor 3 v - 2 changes sign at v = 2/3"],
+    );
+    // c′ = (v² − 1/2, 0); 181/256 < √2/2 < 725/1024
+    says(
+        &sweep("in xy = (v^3/3 - v/2, 0)", TRANSLATION),
+        &["E0202"],
+        &["the factor 2 v^2 - 1 changes sign at v in [181/256, 725/1024]"],
+    );
+    // beyond the domain there is nothing wrong with it
+    says(
+        &sweep("in xy on [1, 2] = (v^3 - v^2, 0)", TRANSLATION),
+        &[],
+        &[],
+    );
+}
+
+#[test]
+fn irrational_speed() {
+    let codes = &["E0209"];
+    says(
+        &sweep("in xy = (v, v)", TRANSLATION),
+        codes,
+        &["the parametric speed of `c` needs √(2)"],
+    );
+}
+
+#[test]
+fn normal_of_a_spatial_curve() {
+    says(
+        &sweep("= (v, v^2, v^3)", TRANSLATION),
+        &["E0206"],
+        &["`c` is not given in a coordinate plane", "`in xy`"],
+    );
+}
+
+#[test]
+fn poles() {
+    let at = |formula: &str, places: &[&str]| {
+        says(
+            &format!("surface R = (u, v, {formula})"),
+            &["E0301"],
+            &["`R` has a pole"],
+        );
+        let places: Vec<String> = places
+            .iter()
+            .map(|own| format!("W = 0 at {own}\n"))
+            .collect();
+        let places: Vec<&str> = places.iter().map(String::as_str).collect();
+        says(
+            &format!("surface R = (u, v, {formula})"),
+            &["E0301"],
+            &places,
+        );
+    };
+    at("1 / (3u - 1)", &["u = 1/3"]);
+    at("1 / (2v^2 - 1)", &["v in [181/256, 725/1024]"]);
+    at("1 / (1 - v)", &["v = 1"]);
+    at("1 / u", &["u = 0"]);
+    at("u / (u + v)", &["u = 0, v = 0"]);
+    at("1 / ((3u - 1)^2 + (2v - 1)^2)", &["u = 1/3, v = 1/2"]);
+    at("1 / ((3u - 1) (1 - 2v)^2)", &["u = 1/3", "v = 1/2"]);
+    says("surface R = (u, v, 1 / (3u - 4) + 1 / (1 + v))", &[], &[]);
+    says("surface R = (u, v, (3u - 1) v / (3u - 1))", &[], &[]);
+}
+
+/// The report names the pole by rational bounds, and writes no less of the rest.
+#[test]
+fn poles_in_the_report() {
+    let report = compile("surface R = (u, v, 1 / (2v^2 - 1))").report();
+    let surface = &report["surfaces"][0];
+    let pole = serde_json::json!({"kind": "v", "u": ["0", "1"], "v": ["181/256", "725/1024"]});
+    assert_eq!(surface["poles"], serde_json::json!([pole]));
+    assert_eq!(
+        surface["homogeneous"]["W"]["bidegree"],
+        serde_json::json!([0, 2])
+    );
+}
+
+#[test]
+fn square_roots() {
+    let root = |radicand: &str, code: &str, parts: &[&str]| {
+        says(
+            &format!("surface R = (u, v, sqrt({radicand}))"),
+            &[code],
+            parts,
+        );
+    };
+    root(
+        "(1 + u)^2 (1 + v^2)",
+        "E0210",
+        &["an odd number of times: v^2 + 1\n"],
+    );
+    root("3 u^2 + u^3", "E0210", &["an odd number of times: u + 3\n"]);
+    root(
+        "(2u - 1)^2",
+        "E0210",
+        &["changes sign on the domain", "u = 1/2"],
+    );
+    root("2", "E0209", &["√(2) is not a rational number"]);
+    says("surface R = (u, v, sqrt((u + 1)^2 (v + 2)^4))", &[], &[]);
+}
+
+#[test]
+fn cusps_and_shared_zeros_are_warnings() {
+    // w = 1 − 2v
+    says(
+        &sweep(
+            "in xy = ph(start: (0, 0), preimage: [(1, 0), (-1, 0)])",
+            TRANSLATION,
+        ),
+        &["W1003"],
+        &["`c` has a cusp: σ vanishes at v = 1/2", "2:7"],
+    );
+    says(
+        &sweep(
+            "in xy = ph(start: (0, 0), preimage: [(1, 0), (2, 0)])",
+            TRANSLATION,
+        ),
+        &[],
+        &[],
+    );
+    says(
+        "profile p(u) in xz = (u (2u - 1) / ((2u - 1) (1 + u)), (2u - 1) / ((2u - 1) (1 + u)))
+sweep c(v) in xy = (v, 0)
+surface R = p(u) + c(v) + v^2 j",
+        &["W1004"],
+        &["`p` are all zero at u = 1/2"],
+    );
+}
+
+#[test]
+fn properties_that_need_a_name() {
+    let profiles = "profile p(u) in xz = (u, 1)\nprofile q(u) in xz = (1, u)\n";
+    let curve = "sweep c(v) in xy = (v, 0)\n";
+    says(
+        &format!("{profiles}{curve}surface R = c(v) + x(u) n(v)"),
+        &["E0105"],
+        &["the file has 2 profiles", "write `p.x(…)` or `q.x(…)`"],
+    );
+    says(
+        &sweep("in xy = (v, 0)", "c(v) + x(u v) n(v)"),
+        &["E0105"],
+        &["depends on u and v", ".x(…)`"],
+    );
+    says(
+        &sweep("in xy = (v, 0)", "c(v) + x(u) k + κ(1) i"),
+        &["E0105"],
+        &["is constant", "write `c.κ(…)`"],
+    );
+    says(
+        "surface R = (x(u), u, v)",
+        &["E0105"],
+        &["`x` needs a profile"],
+    );
+    says(
+        &format!(
+            "construction mine(p, c) = c(v) + x(u) c.n(v)\n{PROFILE}{curve}surface R = mine(p, c)"
+        ),
+        &["E0105"],
+        &["inside a construction `x` needs its curve's name"],
+    );
+}
+
+/// What a construction needs is reported where it is used, and shown where it is needed.
+#[test]
+fn properties_inside_a_construction() {
+    says(
+        &sweep("in xy = (v, v^2)", "oriented_translation(p, c)"),
+        &["E0201"],
+        &[
+            "test.sweep:3:13",
+            "surface R = oriented_translation(p, c)",
+            "`oriented_translation` needs `c.n(v)` here",
+        ],
+    );
+    let own = "construction outer(a, b) = evolute_sweep(a, b)\n";
+    says(
+        &format!(
+            "{own}{}",
+            sweep("in xy = line((0, 0), (0, 1))", "outer(p, c)")
+        ),
+        &["E0207"],
+        &[
+            "test.sweep:4:13",
+            "`c` is a straight line",
+            "`evolute_sweep` needs `c.ρ(v)` here",
+        ],
+    );
+}
