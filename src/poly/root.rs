@@ -132,7 +132,6 @@ pub(super) fn middle<F: Field>(lower: &F, upper: &F) -> F {
 /// inside it. None are listed for the polynomial 0.
 ///
 /// - **holds** over ℚ a rational root is exact
-/// - **holds** an isolating interval is no wider than a 1024th of the range
 /// - **cost** a square-free factorisation, then Bernstein coefficients halved until Descartes'
 ///   rule of signs leaves one change or none
 #[must_use]
@@ -151,17 +150,8 @@ pub fn real_roots<F: Field>(polynomial: &UniPoly<F>, from: &F, to: &F) -> Vec<Re
         roots_of_factor(factor, multiplicity, (from, to), &mut roots);
     }
     separate(&mut roots);
-    let width = to
-        .minus(from)
-        .times(&F::from_parts(F::Ring::one(), Integer::from(FINENESS)));
-    for root in &mut roots {
-        root.refine(&width);
-    }
     roots
 }
-
-/// Isolating intervals are at most this part of the range in which roots are asked for.
-const FINENESS: i64 = 1024;
 
 /// The first root of odd multiplicity in the open interval (from, to): there the polynomial
 /// changes its sign.
