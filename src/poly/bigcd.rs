@@ -70,7 +70,7 @@ pub fn gcd_bi<F: Field>(left: &BiPoly<F>, right: &BiPoly<F>) -> BiPoly<F> {
 
 /// The quotient if the divisor divides; none if it does not, or is 0.
 ///
-/// Long division in u, where every quotient of leading coefficients has to be exact in F[v].
+/// Long division in u, where every quotient of leading coefficients has to be exact in `F[v]`.
 #[must_use]
 pub fn exact_div_bi<F: Field>(dividend: &BiPoly<F>, divisor: &BiPoly<F>) -> Option<BiPoly<F>> {
     if let [(in_u, in_v)] = divisor.terms() {

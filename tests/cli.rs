@@ -1,0 +1,245 @@
+//! The command line as other programs see it: exit status, standard output, files.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    missing_docs,
+    reason = "tests state facts"
+)]
+
+mod example_files;
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+use std::process::Output;
+
+use example_files::run;
+use serde_json::Value;
+use tempfile::TempDir;
+
+const SOUND: &str = "param a = 1\nsurface R = (u, a v, u v)\nsurface Q = (u, v, 0)\n";
+
+/// A folder with a file `x.sweep` in it.
+fn folder(text: &str) -> TempDir {
+    let folder = TempDir::new().unwrap();
+    fs::write(folder.path().join("x.sweep"), text).unwrap();
+    folder
+}
+
+fn status(output: &Output) -> i32 {
+    output.status.code().unwrap()
+}
+
+fn out(output: &Output) -> String {
+    String::from_utf8(output.stdout.clone()).unwrap()
+}
+
+fn err(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).unwrap()
+}
+
+fn files(folder: &Path) -> BTreeSet<String> {
+    let entries = fs::read_dir(folder).unwrap();
+    entries
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect()
+}
+
+fn names(names: &[&str]) -> BTreeSet<String> {
+    names.iter().map(|own| (*own).to_owned()).collect()
+}
+
+#[test]
+fn exit_status_says_how_it_ended() {
+    for (text, arguments, expected) in [
+        (SOUND, &["check", "x.sweep"][..], 0),
+        ("surface R = (u, v, w)", &["check", "x.sweep"], 1),
+        (
+            "surface R = (u, v, 0)\nexpect 1 == 2",
+            &["check", "x.sweep"],
+            1,
+        ),
+        (SOUND, &["frobnicate", "x.sweep"], 2),
+        (SOUND, &["check"], 2),
+        (SOUND, &["check", "x.sweep", "-D", "b=1"], 2),
+        (SOUND, &["check", "x.sweep", "-D", "a=x"], 2),
+        (SOUND, &["report", "x.sweep", "--surface", "S"], 2),
+        (SOUND, &["compile", "x.sweep", "--emit", "jpeg"], 2),
+        (SOUND, &["check", "y.sweep"], 3),
+        (SOUND, &["compile", "x.sweep", "-o", "no/such"], 3),
+        (SOUND, &["compile", "x.sweep", "-o", "x.sweep"], 3),
+        ("surface R = (u, v, u^9999)", &["check", "x.sweep"], 4),
+        ("surface R = (u, v, u^501)", &["check", "x.sweep"], 4),
+        (
+            "surface R = (u, v, u^501)",
+            &["check", "x.sweep", "--max-degree", "600"],
+            0,
+        ),
+        ("", &["check", "x.sweep"], 0),
+        ("", &["report", "x.sweep"], 1),
+        ("", &["compile", "x.sweep"], 1),
+        (SOUND, &["--version"], 0),
+    ] {
+        let folder = folder(text);
+        let output = run(folder.path(), arguments, "");
+        assert_eq!(
+            status(&output),
+            expected,
+            "{text} {arguments:?} {}",
+            err(&output)
+        );
+    }
+}
+
+#[test]
+fn compile_writes_a_file_for_each_surface_and_format() {
+    let folder = folder(SOUND);
+    let output = run(folder.path(), &["compile", "x.sweep", "-o", "out"], "");
+    assert_eq!(status(&output), 0, "{}", err(&output));
+    let expected = [
+        "x.report.json",
+        "x-R.json",
+        "x-R.step",
+        "x-Q.json",
+        "x-Q.step",
+    ];
+    assert_eq!(files(&folder.path().join("out")), names(&expected));
+    assert_eq!(out(&output).lines().count(), expected.len());
+
+    let output = run(
+        folder.path(),
+        &["compile", "x.sweep", "--emit", "json", "--surface", "Q"],
+        "",
+    );
+    assert_eq!(status(&output), 0);
+    assert_eq!(files(folder.path()), names(&["x.sweep", "out", "x-Q.json"]));
+}
+
+#[test]
+fn the_same_input_gives_the_same_bytes() {
+    let folder = folder(SOUND);
+    for name in ["a", "b"] {
+        let output = run(folder.path(), &["compile", "x.sweep", "-o", name], "");
+        assert_eq!(status(&output), 0);
+    }
+    for file in files(&folder.path().join("a")) {
+        let read = |name: &str| fs::read(folder.path().join(name).join(&file)).unwrap();
+        assert_eq!(read("a"), read("b"), "{file}");
+    }
+}
+
+#[test]
+fn errors_leave_no_file() {
+    for text in [
+        "surface R = (u, v, 0)\nlet a = ",
+        "surface R = (u, v, 0)\nexpect bidegree(R) == (7, 7)",
+        "surface R = (u, v, 1/(u - 1/2))\nsurface Q = (u, v, zz)",
+    ] {
+        let folder = folder(text);
+        let output = run(folder.path(), &["compile", "x.sweep"], "");
+        assert_eq!(status(&output), 1, "{text}");
+        assert_eq!(files(folder.path()), names(&["x.sweep"]), "{text}");
+    }
+}
+
+#[test]
+fn a_pole_spoils_its_own_surface_only() {
+    let folder = folder("surface R = (u, v, 1/(u - 1/2))\nsurface Q = (u, v, 0)");
+    let output = run(folder.path(), &["compile", "x.sweep"], "");
+    assert_eq!(status(&output), 1);
+    let expected = ["x.sweep", "x.report.json", "x-Q.json", "x-Q.step"];
+    assert_eq!(files(folder.path()), names(&expected));
+    let output = run(
+        folder.path(),
+        &["report", "x.sweep", "--format", "json"],
+        "",
+    );
+    assert_eq!(status(&output), 1);
+    let report: Value = serde_json::from_str(&out(&output)).unwrap();
+    let pole = &report["surfaces"][0]["poles"][0];
+    assert_eq!(pole["kind"], "u");
+    assert_eq!(pole["u"], serde_json::json!(["1/2", "1/2"]));
+    assert_eq!(pole["v"], serde_json::json!(["0", "1"]));
+}
+
+#[test]
+fn a_format_that_cannot_carry_a_surface_is_refused_alone() {
+    for (text, code) in [
+        ("surface R = (u, v, u^26)", "E0305"),
+        // W = 1 − 3u + 3u² > 0 with the Bernstein weights 1, −1/2, 1
+        ("surface R = (u, v, 1/(1 - 3u + 3u^2))", "E0304"),
+    ] {
+        let folder = folder(text);
+        let output = run(folder.path(), &["compile", "x.sweep"], "");
+        assert_eq!(status(&output), 1, "{text}");
+        assert!(err(&output).contains(code), "{}", err(&output));
+        let expected = ["x.sweep", "x.report.json", "x-R.json"];
+        assert_eq!(files(folder.path()), names(&expected), "{text}");
+    }
+}
+
+#[test]
+fn standard_input_and_parameters() {
+    let folder = TempDir::new().unwrap();
+    let text = "param sigma1 = 1\nsurface R = (sigma1 u, v, 0)\nexpect sigma1 == 3/2\n";
+    let output = run(folder.path(), &["check", "-"], text);
+    assert_eq!(status(&output), 1);
+    let output = run(folder.path(), &["check", "-", "-D", "sigma1=1.5"], text);
+    assert_eq!(status(&output), 0, "{}", err(&output));
+    let output = run(
+        folder.path(),
+        &["compile", "-", "--set", "sigma1=3/2"],
+        text,
+    );
+    assert_eq!(status(&output), 0);
+    assert!(files(folder.path()).contains("stdin-R.step"));
+}
+
+#[test]
+fn diagnostics_as_json_have_the_documented_members() {
+    let folder = folder("let a = 1\r\nlet σσ = b\nsurface R = (u, v, 0)\n");
+    let output = run(folder.path(), &["check", "x.sweep", "--format", "json"], "");
+    assert_eq!(status(&output), 1);
+    let finding: Value = serde_json::from_str(out(&output).lines().next().unwrap()).unwrap();
+    assert_eq!(finding["code"], "E0101");
+    assert_eq!(finding["severity"], "error");
+    assert_eq!(finding["file"], "x.sweep");
+    let span = serde_json::json!({"start": 22, "end": 23, "line": 2, "column": 10});
+    assert_eq!(finding["span"], span);
+    assert!(finding["notes"].is_array());
+    assert!(finding.get("fix").is_some());
+}
+
+#[test]
+fn imports_stay_in_the_folder_and_may_not_run_in_circles() {
+    let folder = folder("import \"parts/a.sweep\"\nsurface R = (u, v, a)\nexpect a == 2\n");
+    let parts = folder.path().join("parts");
+    fs::create_dir(&parts).unwrap();
+    fs::write(parts.join("a.sweep"), "import \"b.sweep\"\nlet a = b\n").unwrap();
+    fs::write(parts.join("b.sweep"), "let b = 2\n").unwrap();
+    let output = run(folder.path(), &["check", "x.sweep"], "");
+    assert_eq!(status(&output), 0, "{}", err(&output));
+
+    for (text, code) in [
+        ("import \"../x.sweep\"", "E0604"),
+        ("import \"../../y.sweep\"", "E0601"),
+        ("import \"../../../../../../../../../etc/passwd\"", "E0603"),
+        ("import \"/etc/passwd\"", "E0603"),
+        ("import \"b.sweep\"\nimport \"a.sweep\"", "E0604"),
+        ("import \".\"", "E0601"),
+    ] {
+        fs::write(parts.join("a.sweep"), format!("{text}\nlet a = 2\n")).unwrap();
+        let output = run(folder.path(), &["check", "x.sweep"], "");
+        assert!(err(&output).contains(code), "{text}: {}", err(&output));
+    }
+}
+
+#[test]
+fn colours_only_where_they_are_wanted() {
+    let folder = folder("surface R = (u, v, w)");
+    let coloured = |arguments: &[&str]| err(&run(folder.path(), arguments, "")).contains('\u{1b}');
+    assert!(!coloured(&["check", "x.sweep"]));
+    assert!(!coloured(&["check", "x.sweep", "--color", "never"]));
+    assert!(coloured(&["check", "x.sweep", "--color", "always"]));
+}
