@@ -13,7 +13,8 @@ use crate::net::ControlNet;
 use crate::number::{Real, Unit};
 use crate::report::{Report, SurfaceReport};
 use crate::sema::{self, Program};
-use crate::syntax::{self, ast::Document};
+use crate::syntax;
+use crate::syntax::ast::{Document, Item};
 
 /// The standard library, in the language itself.
 const LIBRARY: &str = include_str!("std/constructions.sweep");
@@ -68,8 +69,23 @@ pub fn compile(
     };
     compilation.check(&program, options);
     compilation.judge(&program, options);
+    quiet_consequences(&mut compilation.diagnostics, documents);
     compilation.diagnostics.sort();
     compilation
+}
+
+/// Drops what was found in declarations that have errors of syntax: they were not read as they
+/// were meant.
+fn quiet_consequences(diagnostics: &mut Diagnostics, documents: &[Document]) {
+    let errors = diagnostics.iter().filter(|own| own.code.is_syntax());
+    let places: Vec<_> = errors.filter_map(|own| own.primary).collect();
+    let items = documents.iter().flat_map(|document| &document.items);
+    let spoiled = |item: &&Item| places.iter().any(|place| item.span.contains(*place));
+    let spoiled: Vec<_> = items.filter(spoiled).map(|item| item.span).collect();
+    diagnostics.retain(|own| {
+        let inside = |place| spoiled.iter().any(|item| item.contains(place));
+        own.code.is_syntax() || !own.primary.is_some_and(inside)
+    });
 }
 
 /// The standard library's declarations.
@@ -89,6 +105,7 @@ impl Compilation {
             match Checked::of(surface.clone(), &options.limits) {
                 Ok(checked) => {
                     self.diagnostics.extend(checked.pole_finding());
+                    self.diagnostics.extend(checked.singular_finding());
                     self.surfaces.push(Some(checked));
                 }
                 Err(finding) => {
@@ -131,7 +148,7 @@ impl Compilation {
                     .collect();
                 Some(SurfaceReport::of(surface.as_ref()?, &lined))
             });
-        Report::new(file.to_owned(), surfaces.collect())
+        Report::new(file.to_owned(), self.unit, surfaces.collect())
     }
 
     /// The surfaces that may be written: checked, and without poles.
@@ -140,34 +157,41 @@ impl Compilation {
         checked.filter(|surface| surface.poles().is_empty())
     }
 
-    /// The bytes of a surface in a format.
-    ///
-    /// # Errors
-    ///
-    /// The refusal of a format that cannot carry the surface.
-    pub fn export(
+    /// The bytes of a surface in each format, or the refusal of a format that cannot carry it.
+    pub fn export<'a>(
         &self,
-        surface: &Checked,
-        format: &Exporter,
-        stem: &str,
+        surface: &'a Checked,
+        formats: &'a [&'static Exporter],
+        stem: &'a str,
         options: &Options,
-    ) -> Result<Exported, Box<Diagnostic>> {
-        let span = surface.definition().span;
-        let (u, v) = (&surface.domain().u, &surface.domain().v);
-        let net = ControlNet::bezier(
-            surface.surface().coordinates().each_ref(),
-            (u.start(), u.end()),
-            (v.start(), v.end()),
-        );
-        let Some(net) = net else {
-            let message = format!("the first weight of `{}` is 0", surface.name());
-            return Err(Box::new(Diagnostic::new(Code::E0301, span, message)));
-        };
+    ) -> impl Iterator<Item = (&'static Exporter, Result<Exported, Box<Diagnostic>>)> + 'a {
+        let net = net(surface);
         let mut context = Context::new(stem, surface.name());
         context.unit = self.unit;
         context.any_weight_ratio = options.any_weight_ratio;
-        (format.write)(&net, &context).map_err(|fault| Box::new(fault.at(span)))
+        formats.iter().map(move |format| {
+            let net = net.as_ref().map_err(Clone::clone);
+            let span = surface.definition().span;
+            let write =
+                |net| (format.write)(net, &context).map_err(|fault| Box::new(fault.at(span)));
+            (*format, net.and_then(write))
+        })
     }
+}
+
+/// The net of a checked surface on its domain.
+fn net(surface: &Checked) -> Result<ControlNet, Box<Diagnostic>> {
+    let (u, v) = (&surface.domain().u, &surface.domain().v);
+    let coordinates = surface.surface().coordinates().each_ref();
+    let net = ControlNet::bezier(coordinates, (u.start(), u.end()), (v.start(), v.end()));
+    net.ok_or_else(|| {
+        let message = format!("the first weight of `{}` is 0", surface.name());
+        Box::new(Diagnostic::new(
+            Code::E0301,
+            surface.definition().span,
+            message,
+        ))
+    })
 }
 
 /// The error that an expectation is which does not hold.

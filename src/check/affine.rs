@@ -1,4 +1,5 @@
-use crate::poly::{BiDegree, BiPoly, Fraction};
+use crate::number::Real;
+use crate::poly::{BiDegree, BiPoly, Denominator, Fraction};
 use crate::sweep::HomogeneousSurface;
 
 /// The bidegrees of a Cartesian coordinate in lowest terms.
@@ -12,21 +13,17 @@ pub struct AffineDegree {
 
 /// X/W, Y/W and Z/W, each in lowest terms on its own.
 pub(super) fn affine_degrees(surface: &HomogeneousSurface) -> [AffineDegree; 3] {
-    surface
-        .point()
-        .each_ref()
-        .map(|own| of(own, surface.weight()))
+    let weight = Denominator::split(surface.weight());
+    let weight = weight.map_or_else(Denominator::one, |(_, weight)| weight);
+    surface.point().map(|own| of(own, weight.clone()))
 }
 
-fn of(
-    numerator: &BiPoly<crate::number::Real>,
-    weight: &BiPoly<crate::number::Real>,
-) -> AffineDegree {
-    let reduced = Fraction::quotient(numerator, weight).map(|own| own.reduce());
+/// The degrees of a fraction; constant factors do not matter.
+fn of(numerator: BiPoly<Real>, weight: Denominator<Real>) -> AffineDegree {
+    let reduced = Fraction::new(numerator, weight).reduce();
+    let denominator = reduced.denominator().polynomial().bidegree();
     AffineDegree {
-        numerator: reduced.as_ref().and_then(|own| own.numerator().bidegree()),
-        denominator: reduced
-            .and_then(|own| own.denominator().polynomial().bidegree())
-            .unwrap_or_default(),
+        numerator: reduced.numerator().bidegree(),
+        denominator: denominator.unwrap_or_default(),
     }
 }

@@ -1,6 +1,7 @@
+use crate::curve::Interval;
 use crate::diag::{Code, Diagnostic, Limits};
 use crate::number::Real;
-use crate::poly::ZeroSet;
+use crate::poly::{ZeroKind, ZeroSet};
 use crate::sweep::{Domain, Expansion, HomogeneousSurface, SweptSurface};
 
 use super::affine::affine_degrees;
@@ -127,6 +128,28 @@ impl Checked {
     #[must_use]
     pub fn rational_offset(&self) -> &Verdict {
         &self.rational_offset
+    }
+
+    /// The warning for a surface that folds, has a cusp or is otherwise singular inside its domain.
+    /// A side that collapses to a point is no such place.
+    #[must_use]
+    pub fn singular_finding(&self) -> Option<Diagnostic> {
+        let Domain { u, v } = self.domain();
+        let on_side = |(lower, upper): &(Real, Real), range: &Interval| {
+            lower == upper && (lower == range.start() || lower == range.end())
+        };
+        let place = self.singular.iter().find(|place| match place.kind {
+            ZeroKind::LineU => !on_side(&place.u, u),
+            ZeroKind::LineV => !on_side(&place.v, v),
+            ZeroKind::Point => !(on_side(&place.u, u) && on_side(&place.v, v)),
+            ZeroKind::Box => true,
+        })?;
+        let message = format!(
+            "`{}` is not regular: R_u × R_v is zero at {place}",
+            self.name()
+        );
+        let finding = Diagnostic::new(Code::W1011, self.definition.span, message);
+        Some(finding.note("the surface folds there, or its sweep curve or profile has a cusp"))
     }
 
     /// The error that the poles are, if there are any.

@@ -206,20 +206,30 @@ impl Judge<'_> {
         Ok(verdict(relation, equal, text))
     }
 
-    /// A point at which two sides differ.
+    /// A point at which two sides differ: a corner or a middle of the domain if one shows it.
     fn witness(&self, pairs: &[(Fraction<Real>, Fraction<Real>)]) -> String {
-        for step in 1..200 {
-            let (u, v) = (
-                self.domain.u.fraction(step, 211),
-                self.domain.v.fraction(step * step % 223, 223),
-            );
-            let values: Option<Vec<(Real, Real)>> = pairs
-                .iter()
-                .map(|(l, r)| l.evaluate(&u, &v).zip(r.evaluate(&u, &v)))
-                .collect();
-            let Some(values) = values else { continue };
-            if let Some((l, r)) = values.iter().find(|(l, r)| l != r) {
-                return format!("at (u, v) = ({u}, {v}) one side is {l}, the other {r}");
+        let places = (0..9).map(|step| ((step % 3, 2), (step / 3, 2)));
+        let others = (1..200).map(|step| ((step, 211), (step * step % 223, 223)));
+        for ((i, m), (j, n)) in places.chain(others) {
+            let (u, v) = (self.domain.u.fraction(i, m), self.domain.v.fraction(j, n));
+            let at = |(left, right): &(Fraction<Real>, Fraction<Real>)| {
+                left.evaluate(&u, &v).zip(right.evaluate(&u, &v))
+            };
+            let Some(values) = pairs.iter().map(at).collect::<Option<Vec<_>>>() else {
+                continue;
+            };
+            let differs = values.iter().position(|(left, right)| left != right);
+            if let Some(index) = differs {
+                let (left, right) = &values[index];
+                let names: &[&str] = if values.len() == 1 {
+                    &["the value"]
+                } else {
+                    &["x", "y", "z"]
+                };
+                let name = names[index];
+                return format!(
+                    "at u = {u}, v = {v} {name} is {left} on the left, {right} on the right"
+                );
             }
         }
         "the two sides are different functions".to_owned()

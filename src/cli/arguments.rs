@@ -103,45 +103,45 @@ pub(super) enum ReportFormat {
 #[command(next_help_heading = "Limits")]
 struct LimitArguments {
     /// Bytes of one source file
-    #[arg(long, value_name = "BYTES", global = true)]
-    max_source: Option<usize>,
+    #[arg(long, value_name = "BYTES", global = true, default_value_t = Limits::default().source)]
+    max_source: usize,
     /// Depth of brackets, signs and calls
-    #[arg(long, value_name = "LEVELS", global = true)]
-    max_nesting: Option<usize>,
+    #[arg(long, value_name = "LEVELS", global = true, default_value_t = Limits::default().nesting)]
+    max_nesting: usize,
     /// Digits of one number
-    #[arg(long, value_name = "DIGITS", global = true)]
-    max_digits: Option<usize>,
+    #[arg(long, value_name = "DIGITS", global = true, default_value_t = Limits::default().digits)]
+    max_digits: usize,
     /// Absolute value of an exponent
-    #[arg(long, value_name = "EXPONENT", global = true)]
-    max_exponent: Option<u32>,
+    #[arg(long, value_name = "EXPONENT", global = true, default_value_t = Limits::default().exponent)]
+    max_exponent: u32,
     /// Predicted degree in one parameter
-    #[arg(long, value_name = "DEGREE", global = true)]
-    max_degree: Option<usize>,
+    #[arg(long, value_name = "DEGREE", global = true, default_value_t = Limits::default().degree)]
+    max_degree: usize,
     /// Predicted number of terms of a polynomial
-    #[arg(long, value_name = "TERMS", global = true)]
-    max_terms: Option<usize>,
+    #[arg(long, value_name = "TERMS", global = true, default_value_t = Limits::default().terms)]
+    max_terms: usize,
     /// Bits of one number
-    #[arg(long, value_name = "BITS", global = true)]
-    max_bits: Option<u64>,
+    #[arg(long, value_name = "BITS", global = true, default_value_t = Limits::default().bits)]
+    max_bits: u64,
     /// Imported files
-    #[arg(long, value_name = "FILES", global = true)]
-    max_imports: Option<usize>,
+    #[arg(long, value_name = "FILES", global = true, default_value_t = Limits::default().imports)]
+    max_imports: usize,
 }
 
 impl Arguments {
     /// The limits, with those that the command line replaces.
     pub(super) fn limits(&self) -> Limits {
-        let (given, usual) = (&self.limits, Limits::default());
+        let given = &self.limits;
         Limits {
-            source: given.max_source.unwrap_or(usual.source),
-            nesting: given.max_nesting.unwrap_or(usual.nesting),
-            digits: given.max_digits.unwrap_or(usual.digits),
-            exponent: given.max_exponent.unwrap_or(usual.exponent),
-            degree: given.max_degree.unwrap_or(usual.degree),
-            terms: given.max_terms.unwrap_or(usual.terms),
-            bits: given.max_bits.unwrap_or(usual.bits),
-            imports: given.max_imports.unwrap_or(usual.imports),
-            ..usual
+            source: given.max_source,
+            nesting: given.max_nesting,
+            digits: given.max_digits,
+            exponent: given.max_exponent,
+            degree: given.max_degree,
+            terms: given.max_terms,
+            bits: given.max_bits,
+            imports: given.max_imports,
+            ..Limits::default()
         }
     }
 }

@@ -97,12 +97,13 @@ fn build(session: &mut Session, own: &CompileArguments, emit: &Emit) -> Vec<(Str
         }
     }
     for surface in compilation.sound_surfaces() {
-        for format in &emit.formats {
-            let name = format!("{stem}-{}.{}", surface.name(), format.extension);
-            match compilation.export(surface, format, &stem, &session.options) {
+        let span = surface.definition().span;
+        let exports = compilation.export(surface, &emit.formats, &stem, &session.options);
+        for (format, result) in exports {
+            match result {
                 Ok(exported) => {
-                    let span = surface.definition().span;
                     findings.extend(exported.warnings.into_iter().map(|own| own.at(span)));
+                    let name = format!("{stem}-{}.{}", surface.name(), format.extension);
                     files.push((name, exported.bytes));
                 }
                 Err(finding) => findings.push(*finding),
@@ -127,6 +128,10 @@ fn write(
         let message = format!("`{}` cannot be written: {error}", path.display());
         Box::new(Diagnostic::global(Code::E0602, message))
     };
+    if folder.is_file() {
+        let message = format!("`{}` is a file: `-o` names a folder", folder.display());
+        return Err(Box::new(Diagnostic::global(Code::E0602, message)));
+    }
     if !folder.as_os_str().is_empty() && !folder.exists() {
         fs::create_dir(&folder).map_err(|error| failed(&folder, &error))?;
     }

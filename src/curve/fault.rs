@@ -92,15 +92,15 @@ impl Fault {
                 "give the curve by a preimage, `ph(start: P, preimage: [(a, b), …])`, or use only x, y, z",
             ),
             Self::IrrationalSpeed { .. } => Some(
-                "this version computes over the rational numbers: turn or scale the curve, or give it by a rational preimage",
+                "this version computes over the rational numbers: choose directions of rational length, such as (3, 4) or (20, 21)",
             ),
             Self::SpeedChangesSign { .. } => Some("end the domain at the change of sign"),
             Self::ArcLengthNotRational { .. } => {
                 Some("polynomial Pythagorean-hodograph curves have a rational arc length")
             }
-            Self::NotPlane => {
-                Some("give it by pairs and name its plane: `in xy`, `in xz` or `in yz`")
-            }
+            Self::NotPlane => Some(
+                "a curve given by pairs in a plane has n and κ; one in space has x, y, z, σ, s and t",
+            ),
             Self::NoMotion => {
                 Some("a fixed vector is a constant, `let a = (1, 2, 3)`, not a curve")
             }

@@ -109,6 +109,8 @@ codes! {
     W1007 "nothing to build",
     W1008 "control points that become equal as doubles",
     W1009 "a surface written without its edges",
+    W1010 "a coordinate that is zero because of the curve's plane",
+    W1011 "a surface that is not regular",
 }
 
 impl Code {
@@ -120,6 +122,12 @@ impl Code {
         } else {
             Severity::Warning
         }
+    }
+
+    /// Whether the code is about text and syntax.
+    #[must_use]
+    pub fn is_syntax(self) -> bool {
+        self.as_str().starts_with("E00")
     }
 
     /// Whether the code stands for a limit that was reached (exit status 4).

@@ -138,6 +138,11 @@ impl Diagnostics {
         self.list.iter()
     }
 
+    /// Keeps the findings of which this holds.
+    pub fn retain(&mut self, keep: impl FnMut(&Diagnostic) -> bool) {
+        self.list.retain(keep);
+    }
+
     /// Sorts the findings by their place; those without one come last.
     pub fn sort(&mut self) {
         self.list

@@ -119,11 +119,12 @@ struct JsonDiagnostic<'a> {
     message: &'a str,
     file: Option<&'a str>,
     span: Option<JsonSpan>,
-    notes: Vec<&'a str>,
+    notes: Vec<String>,
     fix: Option<JsonFix<'a>>,
 }
 
-/// A finding as one line of JSON, without the line feed. The help line is its last note.
+/// A finding as one line of JSON, without the line feed. What the text shows beside the marks
+/// comes first among its notes, the help line last.
 #[must_use]
 pub fn render_json(diagnostic: &Diagnostic, sources: &SourceMap) -> String {
     let place = |span: Span| {
@@ -135,7 +136,13 @@ pub fn render_json(diagnostic: &Diagnostic, sources: &SourceMap) -> String {
             column,
         }
     };
-    let notes = diagnostic.notes.iter().chain(&diagnostic.help);
+    let related = diagnostic.related.iter().map(|(span, remark)| {
+        let (line, column) = sources.position(*span);
+        format!("{}:{line}:{column}: {remark}", sources.file(span.file).name)
+    });
+    let label = (!diagnostic.label.is_empty()).then(|| diagnostic.label.clone());
+    let notes = label.into_iter().chain(related);
+    let notes = notes.chain(diagnostic.notes.iter().chain(&diagnostic.help).cloned());
     let object = JsonDiagnostic {
         code: diagnostic.code.as_str(),
         severity: match diagnostic.severity() {
@@ -147,7 +154,7 @@ pub fn render_json(diagnostic: &Diagnostic, sources: &SourceMap) -> String {
             .primary
             .map(|span| sources.file(span.file).name.as_str()),
         span: diagnostic.primary.map(place),
-        notes: notes.map(String::as_str).collect(),
+        notes: notes.collect(),
         fix: diagnostic.fix.as_ref().map(|fix| JsonFix {
             span: place(fix.span),
             text: &fix.text,

@@ -35,6 +35,12 @@ impl Span {
         }
     }
 
+    /// Whether the other span lies within this one.
+    #[must_use]
+    pub fn contains(self, other: Self) -> bool {
+        self.file == other.file && self.start <= other.start && other.end <= self.end
+    }
+
     /// The byte range.
     #[must_use]
     pub fn range(self) -> std::ops::Range<usize> {

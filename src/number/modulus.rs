@@ -1,9 +1,12 @@
-use std::sync::OnceLock;
-
 use super::Integer;
 
-/// The first primes, found once.
-static FIRST: OnceLock<Vec<Modulus>> = OnceLock::new();
+/// How far the first of them lie below 2⁶².
+#[rustfmt::skip]
+const FIRST: [u64; 32] = [
+    57, 87, 117, 143, 153, 167, 171, 195, 203, 273, 287,
+    317, 443, 483, 495, 575, 581, 603, 633, 663, 765,
+    773, 777, 791, 813, 831, 923, 981, 993, 1001, 1007, 1017,
+];
 
 /// A prime modulus q below 2⁶², for images of which many are needed.
 ///
@@ -22,9 +25,9 @@ pub struct Modulus {
 impl Modulus {
     /// The primes below 2⁶², from the greatest down.
     pub fn descending() -> impl Iterator<Item = Self> {
-        let first = FIRST.get_or_init(|| Self::search(1 << 62).take(32).collect());
-        let bound = first.last().map_or(1 << 62, Self::prime);
-        first.iter().copied().chain(Self::search(bound))
+        let bound = (1 << 62) - FIRST[FIRST.len() - 1];
+        let first = FIRST.iter().map(|below| Self::of_odd((1 << 62) - below));
+        first.chain(Self::search(bound))
     }
 
     /// The odd primes below the bound, from the greatest down, found one by one.

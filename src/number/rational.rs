@@ -6,7 +6,7 @@ use std::str::FromStr;
 use num_rational::BigRational;
 use num_traits::{One, Pow, Signed, Zero};
 
-use super::{Field, Integer};
+use super::{Field, Integer, gcd};
 
 /// A rational number in lowest terms with a positive denominator.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -16,7 +16,19 @@ impl Rational {
     /// numerator / denominator; the denominator is not 0
     #[must_use]
     pub fn new(numerator: Integer, denominator: Integer) -> Self {
-        Self(BigRational::new(numerator, denominator))
+        let common = gcd(&numerator, &denominator);
+        let common = if denominator.is_negative() {
+            -common
+        } else {
+            common
+        };
+        if One::is_one(&common) {
+            return Self(BigRational::new_raw(numerator, denominator));
+        }
+        Self(BigRational::new_raw(
+            numerator / &common,
+            denominator / &common,
+        ))
     }
 
     /// The numerator, with the sign.

@@ -98,8 +98,9 @@ fn refuted_by_image<F: Field>(polynomial: &BiPoly<F>) -> Option<String> {
             ("v", Image::at_v(polynomial, at)),
         ] {
             if !image?.is_square() {
-                let place = format!("{variable} = {point}");
-                return Some(format!("its image at {place} modulo 2^61 - 1 is not one"));
+                return Some(format!(
+                    "an image modulo 2^61 - 1 shows it, at {variable} = {point}"
+                ));
             }
         }
     }

@@ -7,14 +7,14 @@ use super::text::{degree_rows, facts};
 pub fn render_markdown(report: &Report) -> String {
     let mut text = format!("# {}\n", escape(&report.file));
     for own in &report.surfaces {
-        text.push_str(&surface(own));
+        text.push_str(&surface(own, report.unit.symbol()));
     }
     text
 }
 
-fn surface(surface: &SurfaceReport) -> String {
+fn surface(surface: &SurfaceReport, unit: &str) -> String {
     let mut text = format!(
-        "\n## {}\n\nu in [{}], v in [{}]\n\n| | W | X | Y | Z | |\n|---|---|---|---|---|---|\n",
+        "\n## {}\n\nu in [{}], v in [{}], lengths in {unit}\n\n| | W | X | Y | Z | |\n|---|---|---|---|---|---|\n",
         escape(&surface.name),
         surface.domain.u.join(", "),
         surface.domain.v.join(", ")

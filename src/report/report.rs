@@ -2,7 +2,7 @@ use serde::Serialize;
 
 use crate::check::{AffineDegree, Checked, Judgement, Verdict};
 use crate::curve::Interval;
-use crate::number::{Field, Real};
+use crate::number::{Field, Real, Unit};
 use crate::poly::{BiDegree, BiPoly, Coprimality, UniPoly, ZeroKind, ZeroSet};
 
 /// The report of a file, as `report --format json` prints it.
@@ -14,17 +14,21 @@ pub struct Report {
     field: Vec<Generator>,
     /// One report for each surface.
     pub surfaces: Vec<SurfaceReport>,
+    /// The unit of length.
+    #[serde(skip)]
+    pub unit: Unit,
 }
 
 impl Report {
     /// The report of a file's surfaces.
     #[must_use]
-    pub fn new(file: String, surfaces: Vec<SurfaceReport>) -> Self {
+    pub fn new(file: String, unit: Unit, surfaces: Vec<SurfaceReport>) -> Self {
         Self {
             format: "sweepc-report/1",
             file,
             field: Vec::new(),
             surfaces,
+            unit,
         }
     }
 }

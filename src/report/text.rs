@@ -1,21 +1,29 @@
 use super::Report;
 use super::report::{Decision, SurfaceReport};
+use crate::number::Unit;
 
 /// The report for a terminal, one screen for each surface.
 #[must_use]
 pub fn render_text(report: &Report) -> String {
-    let surfaces = report.surfaces.iter().map(|own| surface(own, &report.file));
+    let surfaces = report
+        .surfaces
+        .iter()
+        .map(|own| surface(own, &report.file, report.unit));
     surfaces.collect::<Vec<_>>().join("\n")
 }
 
-fn surface(surface: &SurfaceReport, file: &str) -> String {
+fn surface(surface: &SurfaceReport, file: &str, unit: Unit) -> String {
     let mut lines = Vec::new();
     let domain = format!(
         "u in [{}], v in [{}]",
         surface.domain.u.join(", "),
         surface.domain.v.join(", ")
     );
-    lines.push(format!("{}   {file}   {domain}", surface.name));
+    lines.push(format!(
+        "{}   {file}   {domain}   {}",
+        surface.name,
+        unit.symbol()
+    ));
     lines.push(String::new());
     lines.push(row("", &["W", "X", "Y", "Z"].map(str::to_owned), ""));
     for degrees in degree_rows(surface) {

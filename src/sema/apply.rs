@@ -3,7 +3,7 @@ use std::collections::HashMap;
 use std::rc::Rc;
 
 use crate::curve::{Curve, Parameter};
-use crate::diag::{Code, Span};
+use crate::diag::{Code, Diagnostic, Span};
 use crate::number::{Field, Real};
 use crate::sweep::{Form, Scalar};
 use crate::syntax::ast::{Argument, Expr, ExprKind, Name, Reference};
@@ -310,14 +310,28 @@ impl<'a> Lowerer<'a> {
         if arguments.len() == count {
             return Ok(());
         }
-        let plural = if count == 1 { "" } else { "s" };
+        let finding = self.argument_count(name, count, arguments, parenthesis, scope);
+        Err(self.report(finding))
+    }
+
+    fn argument_count(
+        &self,
+        name: &Name,
+        count: usize,
+        arguments: &[Argument],
+        parenthesis: Span,
+        scope: &Scope<'_>,
+    ) -> Diagnostic {
+        let (plural, are) = (
+            if count == 1 { "" } else { "s" },
+            if arguments.len() == 1 { "is" } else { "are" },
+        );
         let message = format!(
-            "`{}` takes {count} argument{plural}, here are {}",
+            "`{}` takes {count} argument{plural}, here {are} {}",
             name.text,
             arguments.len()
         );
-        let finding = self.finding(scope, Code::E0107, parenthesis, message);
-        Err(self.report(finding))
+        self.finding(scope, Code::E0107, parenthesis, message)
     }
 
     /// The body of a construction with its parameters bound to the arguments.
@@ -338,6 +352,13 @@ impl<'a> Lowerer<'a> {
                 return Err(self.report(finding));
             }
             outer = frame.outer.as_ref();
+        }
+        if arguments.len() != parameters.len() {
+            let usage: Vec<&str> = parameters.iter().map(|own| own.text.as_str()).collect();
+            let usage = format!("it is `{}({})`", name.text, usage.join(", "));
+            let finding =
+                self.argument_count(name, parameters.len(), arguments, parenthesis, scope);
+            return Err(self.report(finding.help(usage)));
         }
         self.check_arguments(name, parameters.len(), arguments, parenthesis, scope)?;
         let mut bound: HashMap<String, Binding<'a>> = HashMap::new();

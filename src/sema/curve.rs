@@ -52,20 +52,26 @@ impl<'a> Lowerer<'a> {
     }
 
     fn curve_parameter(&mut self, role: Role, name: &Name) -> Lowered<Parameter> {
-        let expected = match role {
-            Role::Profile => "`u`",
-            Role::Sweep => "`v`",
-            Role::Further => "`u` or `v`",
+        let (kind, expected, help) = match role {
+            Role::Profile => (
+                "a profile",
+                "`u`",
+                "a sweep curve runs in `v`, a `curve` in either",
+            ),
+            Role::Sweep => (
+                "a sweep curve",
+                "`v`",
+                "a profile runs in `u`, a `curve` in either",
+            ),
+            Role::Further => ("a curve", "`u` or `v`", "other parameters there are none"),
         };
         match (parameter_of(&name.text), role) {
             (Some(Parameter::U), Role::Profile | Role::Further) => Ok(Parameter::U),
             (Some(Parameter::V), Role::Sweep | Role::Further) => Ok(Parameter::V),
             _ => {
-                let message = format!(
-                    "the parameter of this curve is {expected}, not `{}`",
-                    name.text
-                );
-                Err(self.report(Diagnostic::new(Code::E0109, name.span, message)))
+                let message = format!("{kind} runs in {expected}, not in `{}`", name.text);
+                let finding = Diagnostic::new(Code::E0109, name.span, message);
+                Err(self.report(finding.help(help)))
             }
         }
     }

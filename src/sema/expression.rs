@@ -4,7 +4,7 @@ use crate::number::{Field, Rational, Real};
 use crate::sweep::{Domain, Expander, Scalar};
 use crate::syntax::ast::{Expr, ExprKind, Name, Sign};
 
-use super::lowerer::{Lowered, Lowerer, Reported};
+use super::lowerer::{Lowered, Lowerer};
 use super::scope::Scope;
 use super::value::Value;
 
@@ -298,48 +298,5 @@ impl<'a> Lowerer<'a> {
                     .report(finding.help("a vector has the components x, y and z, a pair x and y")))
             }
         }
-    }
-
-    /// Reports a name that nothing declares, with the nearest spelling that is declared.
-    pub(super) fn report_unknown(&mut self, name: &Name, scope: &Scope<'_>) -> Reported {
-        if self.broken.contains(&name.text.as_str()) {
-            return Reported;
-        }
-        let finding = self.finding(
-            scope,
-            Code::E0101,
-            name.span,
-            format!("`{}` is not declared", name.text),
-        );
-        let finding = match self.nearest(&name.text, scope) {
-            Some(near) => finding
-                .help(format!("did you mean `{near}`?"))
-                .fix(name.span, near),
-            None => finding,
-        };
-        self.report(finding)
-    }
-
-    fn nearest(&self, name: &str, scope: &Scope<'_>) -> Option<String> {
-        let local = scope
-            .frame
-            .as_ref()
-            .map(|frame| frame.bindings.borrow().keys().cloned().collect::<Vec<_>>());
-        let declared = self.definitions.keys().map(|own| (*own).to_owned());
-        let built_in = super::call::BUILT_IN.iter().map(|own| (*own).to_owned());
-        // A single letter is like any other; that is no help.
-        let limit = match name.chars().count() {
-            0 | 1 => 0,
-            length => length.div_ceil(3),
-        };
-        local
-            .unwrap_or_default()
-            .into_iter()
-            .chain(declared)
-            .chain(built_in)
-            .map(|own| (strsim::damerau_levenshtein(name, &own), own))
-            .filter(|(distance, _)| *distance <= limit)
-            .min()
-            .map(|(_, own)| own)
     }
 }

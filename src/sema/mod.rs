@@ -17,6 +17,7 @@ mod product;
 mod program;
 mod property;
 mod scope;
+mod unknown;
 mod value;
 
 pub use lowerer::{Sources, lower};

@@ -55,9 +55,11 @@ impl<'a> Lowerer<'a> {
         scope: &Scope<'_>,
     ) -> Lowered<Value> {
         match named(&function.name.text) {
-            Some(Named::Scalar(property)) => self
-                .atom(curve, property, function.primes, &at, span, scope)
-                .map(Value::Scalar),
+            Some(Named::Scalar(property)) => {
+                self.warn_of_zero_coordinate(curve, property, function, scope);
+                self.atom(curve, property, function.primes, &at, span, scope)
+                    .map(Value::Scalar)
+            }
             Some(Named::Vector(property)) => {
                 let [x, y, z] = Axis::ALL.map(|axis| {
                     self.atom(curve, property(axis), function.primes, &at, span, scope)
@@ -178,6 +180,28 @@ impl<'a> Lowerer<'a> {
             scope.site(span),
             Form::Property(property, at.clone()),
         ))
+    }
+
+    /// A warning where a coordinate is asked for that is 0 because of the curve's plane.
+    fn warn_of_zero_coordinate(
+        &mut self,
+        curve: &Curve,
+        property: Property,
+        function: &Reference,
+        scope: &Scope<'_>,
+    ) {
+        let (Property::Position(axis), Some(plane)) = (property, curve.plane()) else {
+            return;
+        };
+        let (first, second) = plane.axes();
+        if axis == first || axis == second {
+            return;
+        }
+        let name = curve.name();
+        let message =
+            format!("`{axis}` of `{name}` is 0 everywhere: `{name}` lies in another plane");
+        let finding = self.finding(scope, Code::W1010, function.span, message);
+        self.report(finding.help(format!("`{name}` has the coordinates {first} and {second}")));
     }
 
     /// A warning for every curve whose speed is used and vanishes somewhere.

@@ -1,0 +1,62 @@
+use crate::curve::kinds;
+use crate::diag::Code;
+use crate::number::Unit;
+use crate::syntax::ast::Name;
+
+use super::call::BUILT_IN;
+use super::lowerer::{Lowerer, Reported};
+use super::scope::Scope;
+
+/// Words of mathematics that the language cannot have, for they are not rational.
+const IRRATIONAL: [&str; 8] = ["pi", "π", "sin", "cos", "tan", "exp", "log", "ln"];
+
+impl Lowerer<'_> {
+    /// Reports a name that nothing declares, with the way out where one is known.
+    pub(super) fn report_unknown(&mut self, name: &Name, scope: &Scope<'_>) -> Reported {
+        let text = name.text.as_str();
+        if self.broken.contains(&text) {
+            return Reported;
+        }
+        let message = format!("`{text}` is not declared");
+        let finding = self.finding(scope, Code::E0101, name.span, message);
+        let finding = if IRRATIONAL.contains(&text) {
+            finding.help("all values are rational: `turn(h)` is the cosine and sine of 2 arctan h")
+        } else if Unit::from_symbol(text).is_some() {
+            finding.help(format!(
+                "numbers carry no unit; `unit {text}` holds for the file"
+            ))
+        } else if let Some(near) = self.nearest(text, scope) {
+            finding
+                .help(format!("did you mean `{near}`?"))
+                .fix(name.span, near)
+        } else {
+            finding
+        };
+        self.report(finding)
+    }
+
+    /// The nearest spelling that means something, if it is near.
+    fn nearest(&self, name: &str, scope: &Scope<'_>) -> Option<String> {
+        let frame = scope.frame.as_ref();
+        let local: Vec<String> = frame
+            .map(|frame| frame.bindings.borrow().keys().cloned().collect())
+            .unwrap_or_default();
+        let fixed = BUILT_IN
+            .into_iter()
+            .chain(kinds::ALL.iter().map(|kind| kind.name));
+        let declared = self.definitions.keys().copied().chain(fixed);
+        // A single letter is like any other; that is no help.
+        let limit = match name.chars().count() {
+            0 | 1 => 0,
+            length => length.div_ceil(3),
+        };
+        local
+            .into_iter()
+            .chain(declared.map(str::to_owned))
+            .filter(|own| own != name && own.chars().count() > 1)
+            .map(|own| (strsim::damerau_levenshtein(name, &own), own))
+            .filter(|(distance, _)| *distance <= limit)
+            .min()
+            .map(|(_, own)| own)
+    }
+}
