@@ -153,7 +153,10 @@ fn normal_of_a_spatial_curve() {
     says(
         &sweep("= (v, v^2, v^3)", TRANSLATION),
         &["E0206"],
-        &["`c` is not given in a coordinate plane", "`in xy`"],
+        &[
+            "`c` is not given in a coordinate plane",
+            "one in space has x, y, z",
+        ],
     );
 }
 
@@ -232,8 +235,12 @@ fn cusps_and_shared_zeros_are_warnings() {
             "in xy = ph(start: (0, 0), preimage: [(1, 0), (-1, 0)])",
             TRANSLATION,
         ),
-        &["W1003"],
-        &["`c` has a cusp: σ vanishes at v = 1/2", "2:7"],
+        &["W1003", "W1011"],
+        &[
+            "`c` has a cusp: σ vanishes at v = 1/2",
+            "2:7",
+            "`R` is not regular: R_u × R_v is zero at v = 1/2",
+        ],
     );
     says(
         &sweep(
@@ -249,6 +256,30 @@ sweep c(v) in xy = (v, 0)
 surface R = p(u) + c(v) + v^2 j",
         &["W1004"],
         &["`p` are all zero at u = 1/2"],
+    );
+}
+
+#[test]
+fn folds_and_coordinates_that_are_always_zero_are_warnings() {
+    // κ = −1 for the clockwise unit circle, so 1 + κ x = 0 at x = 1, here at u = 1/2
+    says(
+        "profile p(u) in xz = (2u, u)
+sweep c(v) in xy = (2v / (1 + v^2), (1 - v^2) / (1 + v^2))
+surface R = c(v) + x(u) n(v) + z(u) k",
+        &["W1011"],
+        &["R_u × R_v is zero at u = 1/2"],
+    );
+    // A collapsed side is no fold.
+    says("surface R = (u v, u (1 - v), 0)", &[], &[]);
+    says(
+        "profile p(u) in xy = (u, 1)
+sweep c(v) in xy = (v, 0)
+surface R = c(v) + x(u) n(v) + (u^2 + z(u)) k",
+        &["W1010"],
+        &[
+            "`z` of `p` is 0 everywhere",
+            "`p` has the coordinates x and y",
+        ],
     );
 }
 
