@@ -2,7 +2,8 @@ use crate::poly::{ZeroSet, Zeros, zeros_in_box};
 use crate::sweep::{Domain, HomogeneousSurface};
 
 /// Where W vanishes on the closed domain. The common factor is gone, so these are true poles or
-/// base points, and the list is complete.
+/// base points. Every place listed is one, and the list is empty only if there is none; lines are
+/// complete, on a curve of poles only some places are named.
 pub(super) fn poles(
     surface: &HomogeneousSurface,
     domain: &Domain,

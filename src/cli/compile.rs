@@ -73,6 +73,10 @@ impl Emit {
                 }
             }
         }
+        if !emit.report && emit.formats.is_empty() {
+            complain("`--emit` names no output format");
+            return None;
+        }
         Some(emit)
     }
 }

@@ -29,7 +29,8 @@ pub(super) fn load(root: &Path, limits: &Limits) -> Loaded {
     };
     if root == Path::new("-") {
         let mut bytes = Vec::new();
-        match std::io::stdin().lock().read_to_end(&mut bytes) {
+        let most = limits.source as u64 + 1;
+        match std::io::stdin().lock().take(most).read_to_end(&mut bytes) {
             Ok(_) => {
                 loader.folder = canonical(Path::new("."));
                 loader.parse("<stdin>", &bytes, None);
@@ -39,7 +40,7 @@ pub(super) fn load(root: &Path, limits: &Limits) -> Loaded {
         return loader.loaded;
     }
     let name = root.display().to_string();
-    match fs::read(root) {
+    match read(root, limits) {
         Ok(bytes) => {
             let path = canonical(root);
             loader.folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
@@ -48,6 +49,15 @@ pub(super) fn load(root: &Path, limits: &Limits) -> Loaded {
         Err(error) => loader.fail(format!("`{name}` cannot be read: {error}"), None),
     }
     loader.loaded
+}
+
+/// The bytes of a file, but no more than one beyond the limit.
+fn read(path: &Path, limits: &Limits) -> std::io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    let file = fs::File::open(path)?;
+    file.take(limits.source as u64 + 1)
+        .read_to_end(&mut bytes)?;
+    Ok(bytes)
 }
 
 fn canonical(path: &Path) -> PathBuf {
@@ -143,7 +153,7 @@ impl Loader<'_> {
         if !path.is_file() {
             return self.fail(format!("`{target}` is not a file"), Some(span));
         }
-        match fs::read(&path) {
+        match read(&path, self.limits) {
             Ok(bytes) => self.parse(target, &bytes, Some(path)),
             Err(error) => self.fail(format!("`{target}` cannot be read: {error}"), Some(span)),
         }

@@ -114,7 +114,8 @@ pub fn zeros_in_box<F: Field>(polynomial: &BiPoly<F>, u: (&F, &F), v: (&F, &F)) 
             eliminate: true,
         },
     );
-    decided.unwrap_or(Zeros::None)
+    // With elimination everything is decided; the whole box is the honest answer otherwise.
+    decided.unwrap_or_else(|| Zeros::of(vec![set(ZeroKind::Box, u, v)]))
 }
 
 /// As [`zeros_in_box`], but by subdivision into so many pieces only; none if that decides nothing.

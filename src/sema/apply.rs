@@ -206,7 +206,7 @@ impl<'a> Lowerer<'a> {
                 }
                 self.mentioned.push(surface.name.clone());
                 let [u, v] = self.arguments::<2>(name, arguments, parenthesis, scope)?;
-                let point = Value::Vector(surface.coordinates.clone());
+                let point = Value::Vector(surface.function());
                 Ok(point.map(|own| own.substitute(&u, &v)))
             }
             Meaning::Constant(_) | Meaning::InProgress | Meaning::Failed => Err(Reported),

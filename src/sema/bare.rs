@@ -102,7 +102,7 @@ impl<'a> Lowerer<'a> {
                 }
                 self.check_parameters(&[Parameter::U, Parameter::V], name, scope)?;
                 self.mentioned.push(surface.name.clone());
-                Ok(Value::Vector(surface.coordinates.clone()))
+                Ok(Value::Vector(surface.function()))
             }
             Meaning::InProgress | Meaning::Failed => Err(Reported),
         }

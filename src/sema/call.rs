@@ -2,7 +2,7 @@ use std::rc::Rc;
 
 use crate::curve::{Axis, Parameter};
 use crate::diag::{Code, Span};
-use crate::sweep::{Form, Scalar, Vector};
+use crate::sweep::{Domain, Form, Scalar, Vector};
 use crate::syntax::ast::{Argument, Expr, ExprKind, Name, Reference};
 
 use super::lowerer::{Lowered, Lowerer, Meaning, Reported};
@@ -61,8 +61,8 @@ impl<'a> Lowerer<'a> {
             "dv" => self.partial(Parameter::V, span, first, scope),
             "sqrt" => self.square_root(span, first, scope),
             "normal" => {
-                let surface = self.surface_argument(name, first, scope)?;
-                Ok(Value::Vector(normal(site, &surface)))
+                let (surface, domain) = self.surface_argument(name, first, scope)?;
+                Ok(Value::Vector(normal(site, &surface, domain.as_ref())))
             }
             "offset" => self.offset(span, name, arguments, scope),
             _ => self.curve_constant(span, name, first, scope),
@@ -177,7 +177,7 @@ impl<'a> Lowerer<'a> {
         arguments: &'a [Argument],
         scope: &Scope<'a>,
     ) -> Lowered<Value> {
-        let surface = self.surface_argument(name, &arguments[0].value, scope)?;
+        let (surface, domain) = self.surface_argument(name, &arguments[0].value, scope)?;
         let distance = self.scalar(&arguments[1].value, scope)?;
         if distance.depends_on(Parameter::U) || distance.depends_on(Parameter::V) {
             let finding = self.finding(
@@ -189,7 +189,7 @@ impl<'a> Lowerer<'a> {
             return Err(self.report(finding));
         }
         let site = scope.site(span);
-        let normal = normal(site, &surface);
+        let normal = normal(site, &surface, domain.as_ref());
         let moved = |index: usize| {
             let shift = Scalar::product(site, vec![distance.clone(), normal[index].clone()]);
             Scalar::sum(site, vec![surface[index].clone(), shift])
@@ -197,13 +197,13 @@ impl<'a> Lowerer<'a> {
         Ok(Value::Vector([moved(0), moved(1), moved(2)]))
     }
 
-    /// A surface by its name, or any vector expression.
+    /// A surface by its name, with its domain, or any vector expression.
     fn surface_argument(
         &mut self,
         function: &Name,
         of: &'a Expr,
         scope: &Scope<'a>,
-    ) -> Lowered<Vector> {
+    ) -> Lowered<(Vector, Option<Rc<Domain>>)> {
         if let ExprKind::Reference(Reference {
             qualifier: None,
             name,
@@ -213,10 +213,11 @@ impl<'a> Lowerer<'a> {
             && self.is_surface(name)
         {
             self.mentioned.push(name.text.clone());
-            return Ok(self.surface(name)?.coordinates.clone());
+            let surface = self.surface(name)?;
+            return Ok((surface.function(), Some(Rc::new(surface.domain.clone()))));
         }
         match self.value(of, scope)? {
-            Value::Vector(vector) => Ok(vector),
+            Value::Vector(vector) => Ok((vector, None)),
             other => {
                 let message = format!(
                     "`{}` applies to a surface, this is {}",
@@ -238,7 +239,14 @@ fn cross(span: Span, a: &Vector, b: &Vector) -> Vector {
     })
 }
 
-fn normal(span: Span, surface: &Vector) -> Vector {
+/// The unit normal of a surface; that of a named one keeps the sign that it has on its domain.
+fn normal(span: Span, surface: &Vector, domain: Option<&Rc<Domain>>) -> Vector {
     let shared = Rc::new(surface.clone());
-    Axis::ALL.map(|axis| Scalar::new(span, Form::Normal(Rc::clone(&shared), axis)))
+    Axis::ALL.map(|axis| {
+        let own = Scalar::new(span, Form::Normal(Rc::clone(&shared), axis));
+        match domain {
+            Some(domain) => Scalar::new(span, Form::OnDomain(own, Rc::clone(domain))),
+            None => own,
+        }
+    })
 }

@@ -276,6 +276,16 @@ impl<'a> Lowerer<'a> {
         span: Span,
     ) -> Lowered<Claim> {
         let places = (left.1.span, right.1.span);
+        let bidegree = |side: &Side| matches!(side, Side::Quantity(Quantity::BiDegree { .. }));
+        if bidegree(&left.0) || bidegree(&right.0) {
+            for side in [&left.0, &right.0] {
+                if let Side::Value(value) = side {
+                    for own in value.components() {
+                        self.number(&own, &Scope::constant())?;
+                    }
+                }
+            }
+        }
         match incomparable(&left.0, relation, &right.0) {
             None => Ok(Claim::Comparison {
                 left: quantity(left.0),

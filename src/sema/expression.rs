@@ -8,10 +8,20 @@ use super::lowerer::{Lowered, Lowerer};
 use super::scope::Scope;
 use super::value::Value;
 
+/// How deep expressions may nest once their definitions are put in: the stack is made for it.
+const DEEPEST: usize = 4_096;
+
 impl<'a> Lowerer<'a> {
     /// The value of an expression where it stands.
     pub(super) fn value(&mut self, expr: &'a Expr, scope: &Scope<'a>) -> Lowered<Value> {
-        self.descend(scope, expr.span, |own| own.value_of_kind(expr, scope))
+        let value = self.descend(scope, expr.span, |own| own.value_of_kind(expr, scope))?;
+        let depth = value.components().iter().map(Scalar::depth).max();
+        if depth.unwrap_or(0) <= DEEPEST {
+            return Ok(value);
+        }
+        let message = format!("definitions nest this expression more than {DEEPEST} levels deep");
+        let finding = self.finding(scope, Code::E0502, expr.span, message);
+        Err(self.report(finding))
     }
 
     fn value_of_kind(&mut self, expr: &'a Expr, scope: &Scope<'a>) -> Lowered<Value> {

@@ -17,6 +17,9 @@ pub(super) const RESERVED: [&str; 14] = [
     "x", "y", "z", "σ", "s", "t", "n", "κ", "ρ", "u", "v", "i", "j", "k",
 ];
 
+/// How many findings about names and types one run reports at most.
+const FINDINGS: usize = 100;
+
 /// A finding that has been reported already.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Reported;
@@ -99,8 +102,15 @@ impl<'a> Lowerer<'a> {
 
     /// Reports a finding.
     pub(super) fn report(&mut self, diagnostic: Diagnostic) -> Reported {
-        self.diagnostics.push(diagnostic);
+        if self.diagnostics.len() < FINDINGS {
+            self.diagnostics.push(diagnostic);
+        }
         Reported
+    }
+
+    /// Whether so many findings have been reported that another one is not kept.
+    pub(super) fn is_full(&self) -> bool {
+        self.diagnostics.len() >= FINDINGS
     }
 
     /// A finding about an expression; inside a construction it stands where that is used.
@@ -261,34 +271,39 @@ impl<'a> Lowerer<'a> {
         }
     }
 
+    /// The unit of the root file; its imports must agree with it.
     fn unit(&mut self) -> Unit {
         let mut chosen: Option<(Unit, Span)> = None;
-        let items = self
-            .sources
-            .documents
-            .iter()
-            .flat_map(|document| &document.items);
-        for item in items {
-            let Declaration::Unit { name } = &item.declaration else {
-                continue;
-            };
-            let Some(unit) = Unit::from_symbol(&name.text) else {
-                let finding = Diagnostic::new(
-                    Code::E0101,
-                    name.span,
-                    format!("`{}` is not a length unit", name.text),
-                );
-                self.report(finding.help("the units are mm, cm, m and inch"));
-                continue;
-            };
-            match chosen {
-                Some((first, place)) if place.file == name.span.file || first != unit => {
-                    let finding =
-                        Diagnostic::new(Code::E0102, name.span, "the length unit is given twice");
-                    self.report(finding.related(place, "first given here"));
-                }
-                Some(_) => {}
-                None => chosen = Some((unit, name.span)),
+        for (index, document) in self.sources.documents.iter().enumerate() {
+            for item in &document.items {
+                let Declaration::Unit { name } = &item.declaration else {
+                    continue;
+                };
+                let Some(unit) = Unit::from_symbol(&name.text) else {
+                    let message = format!("`{}` is not a length unit", name.text);
+                    let finding = Diagnostic::new(Code::E0101, name.span, message);
+                    self.report(finding.help("the units are mm, cm, m and inch"));
+                    continue;
+                };
+                let known = chosen.map_or_else(Unit::default, |(unit, _)| unit);
+                let finding = match chosen {
+                    Some((_, first)) if first.file == name.span.file => {
+                        Diagnostic::new(Code::E0102, name.span, "the length unit is given twice")
+                            .related(first, "first given here")
+                    }
+                    _ if index > 0 && unit != known => {
+                        let (own, root) = (unit.symbol(), known.symbol());
+                        let message =
+                            format!("this file is in {own}, the file that imports it in {root}");
+                        Diagnostic::new(Code::E0211, name.span, message)
+                            .help(format!("write `unit {own}` in the file that is compiled"))
+                    }
+                    _ => {
+                        chosen = chosen.or(Some((unit, name.span)));
+                        continue;
+                    }
+                };
+                self.report(finding);
             }
         }
         chosen.map(|(unit, _)| unit).unwrap_or_default()

@@ -14,7 +14,7 @@ impl Lowerer<'_> {
     /// Reports a name that nothing declares, with the way out where one is known.
     pub(super) fn report_unknown(&mut self, name: &Name, scope: &Scope<'_>) -> Reported {
         let text = name.text.as_str();
-        if self.broken.contains(&text) {
+        if self.is_full() || self.broken.contains(&text) {
             return Reported;
         }
         let message = format!("`{text}` is not declared");

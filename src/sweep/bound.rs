@@ -1,5 +1,6 @@
 //! Degrees by counting: what a paper prints before anything is multiplied out.
 
+use std::collections::HashMap;
 use std::rc::Rc;
 
 use crate::curve::{Axis, Curve, Parameter, Property};
@@ -14,7 +15,8 @@ pub type DegreeBound = [Option<BiDegree>; 4];
 /// common multiple of the denominators as symbols, nothing cancels.
 #[must_use]
 pub fn degree_bound(coordinates: &Vector) -> DegreeBound {
-    let counted = coordinates.each_ref().map(count);
+    let mut counter = Counter::default();
+    let counted = coordinates.each_ref().map(|own| counter.count(own));
     let common = counted.iter().fold(Factors::default(), |common, own| {
         common.lcm(&own.denominator)
     });
@@ -33,7 +35,7 @@ pub fn degree_bound(coordinates: &Vector) -> DegreeBound {
 /// The largest bidegree that occurs when an expression is expanded.
 #[must_use]
 pub(super) fn predicted_degree(expression: &Scalar) -> BiDegree {
-    let counted = count(expression);
+    let counted = Counter::default().count(expression);
     let top = counted
         .numerator
         .map(|own| own.degree())
@@ -157,57 +159,103 @@ struct Counted {
     denominator: Factors,
 }
 
-fn count(expression: &Scalar) -> Counted {
-    let constant = |zero: bool| Counted {
-        numerator: (!zero).then(Factors::default),
-        denominator: Factors::default(),
-    };
-    match expression.form() {
-        Form::Constant(value) => constant(crate::number::Field::is_zero(value)),
-        Form::Parameter(parameter) => Counted {
-            numerator: Some(Factors::one(
-                Symbol::Numerator(expression.clone()),
-                linear(*parameter),
-            )),
-            denominator: Factors::default(),
-        },
-        Form::Sum(terms) => sum(expression, terms),
-        Form::Product(factors) => {
-            factors
-                .iter()
-                .map(count)
-                .fold(constant(false), |product, own| Counted {
-                    numerator: match (product.numerator, own.numerator) {
-                        (Some(left), Some(right)) => Some(left.times(&right)),
-                        _ => None,
-                    },
-                    denominator: product.denominator.times(&own.denominator),
-                })
+/// Counts; what is shared is counted once.
+#[derive(Default)]
+struct Counter {
+    counted: HashMap<usize, Counted>,
+}
+
+impl Counter {
+    fn count(&mut self, expression: &Scalar) -> Counted {
+        if let Some(counted) = self.counted.get(&expression.identity()) {
+            return counted.clone();
         }
-        Form::Power(base, exponent) => {
-            let base = count(base);
-            let size = usize::try_from(exponent.unsigned_abs()).unwrap_or(usize::MAX);
-            let top = base.numerator.map(|own| own.power(size));
-            let bottom = base.denominator.power(size);
-            if *exponent < 0 {
-                Counted {
-                    numerator: Some(bottom),
-                    denominator: top.unwrap_or_default(),
-                }
-            } else {
-                Counted {
-                    numerator: top,
-                    denominator: bottom,
+        let counted = self.count_form(expression);
+        self.counted.insert(expression.identity(), counted.clone());
+        counted
+    }
+
+    fn count_form(&mut self, expression: &Scalar) -> Counted {
+        let constant = |zero: bool| Counted {
+            numerator: (!zero).then(Factors::default),
+            denominator: Factors::default(),
+        };
+        match expression.form() {
+            Form::Constant(value) => constant(crate::number::Field::is_zero(value)),
+            Form::Parameter(parameter) => Counted {
+                numerator: Some(Factors::one(
+                    Symbol::Numerator(expression.clone()),
+                    linear(*parameter),
+                )),
+                denominator: Factors::default(),
+            },
+            Form::Sum(terms) => self.sum(expression, terms),
+            Form::Product(factors) => {
+                factors
+                    .iter()
+                    .map(|own| self.count(own))
+                    .fold(constant(false), |product, own| Counted {
+                        numerator: match (product.numerator, own.numerator) {
+                            (Some(left), Some(right)) => Some(left.times(&right)),
+                            _ => None,
+                        },
+                        denominator: product.denominator.times(&own.denominator),
+                    })
+            }
+            Form::Power(base, exponent) => {
+                let base = self.count(base);
+                let size = usize::try_from(exponent.unsigned_abs()).unwrap_or(usize::MAX);
+                let top = base.numerator.map(|own| own.power(size));
+                let bottom = base.denominator.power(size);
+                if *exponent < 0 {
+                    Counted {
+                        numerator: Some(bottom),
+                        denominator: top.unwrap_or_default(),
+                    }
+                } else {
+                    Counted {
+                        numerator: top,
+                        denominator: bottom,
+                    }
                 }
             }
+            Form::Property(property, argument) => {
+                count_property(property, argument, &self.count(argument))
+            }
+            Form::Partial(_, body) => derivative(expression, &self.count(body)),
+            Form::Substitution { body, u, v } => substitution(
+                expression,
+                &self.count(body),
+                &self.count(u),
+                &self.count(v),
+            ),
+            Form::SquareRoot(body) => opaque(expression, &self.count(body)),
+            Form::Normal(surface, _) => normal(expression, surface),
+            Form::OnDomain(body, _) => self.count(body),
         }
-        Form::Property(property, argument) => count_property(property, argument),
-        Form::Partial(_, body) => derivative(expression, &count(body)),
-        Form::Substitution { body, u, v } => {
-            substitution(expression, &count(body), &count(u), &count(v))
+    }
+
+    fn sum(&mut self, expression: &Scalar, terms: &[Scalar]) -> Counted {
+        let terms: Vec<Counted> = terms.iter().map(|own| self.count(own)).collect();
+        let denominator = terms.iter().fold(Factors::default(), |common, own| {
+            common.lcm(&own.denominator)
+        });
+        let whole = denominator.degree();
+        let degree = terms
+            .iter()
+            .filter_map(|own| {
+                Some(raise(
+                    own.numerator.as_ref()?.degree(),
+                    whole,
+                    own.denominator.degree(),
+                ))
+            })
+            .reduce(BiDegree::max);
+        Counted {
+            numerator: degree
+                .map(|degree| Factors::one(Symbol::Numerator(expression.clone()), degree)),
+            denominator,
         }
-        Form::SquareRoot(body) => opaque(expression, &count(body)),
-        Form::Normal(surface, _) => normal(expression, surface),
     }
 }
 
@@ -215,28 +263,6 @@ fn linear(parameter: Parameter) -> BiDegree {
     match parameter {
         Parameter::U => BiDegree::new(1, 0),
         Parameter::V => BiDegree::new(0, 1),
-    }
-}
-
-fn sum(expression: &Scalar, terms: &[Scalar]) -> Counted {
-    let terms: Vec<Counted> = terms.iter().map(count).collect();
-    let denominator = terms.iter().fold(Factors::default(), |common, own| {
-        common.lcm(&own.denominator)
-    });
-    let whole = denominator.degree();
-    let degree = terms
-        .iter()
-        .filter_map(|own| {
-            Some(raise(
-                own.numerator.as_ref()?.degree(),
-                whole,
-                own.denominator.degree(),
-            ))
-        })
-        .reduce(BiDegree::max);
-    Counted {
-        numerator: degree.map(|degree| Factors::one(Symbol::Numerator(expression.clone()), degree)),
-        denominator,
     }
 }
 
@@ -385,14 +411,13 @@ fn derived_parts(of: &CurveProperty) -> Option<(Option<Parts>, Parts)> {
     Some((top, bottom))
 }
 
-fn count_property(of: &CurveProperty, argument: &Scalar) -> Counted {
+fn count_property(of: &CurveProperty, argument: &Scalar, inner: &Counted) -> Counted {
     let Some((top, bottom)) = derived_parts(of) else {
         return Counted {
             numerator: Some(Factors::default()),
             denominator: Factors::default(),
         };
     };
-    let inner = count(argument);
     let above = inner.numerator.as_ref().map(Factors::degree);
     let size = above.unwrap_or_default().max(inner.denominator.degree());
     let factors = |parts: &Parts| {

@@ -202,6 +202,7 @@ fn jet(expression: &Scalar, u: &Real, v: &Real, order: usize) -> Option<Jet> {
             )
         }
         Form::SquareRoot(body) => inner(body)?.square_root(),
+        Form::OnDomain(body, _) => inner(body),
         Form::Normal(surface, axis) => normal(surface, *axis, u, v, order),
     }
 }

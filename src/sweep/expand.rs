@@ -124,6 +124,11 @@ impl<'a> Expander<'a> {
             Form::Property(property, argument) => self.property(expression, property, argument),
             Form::Partial(Parameter::U, body) => Ok(self.fraction(body)?.derivative_u()),
             Form::Partial(Parameter::V, body) => Ok(self.fraction(body)?.derivative_v()),
+            Form::OnDomain(body, domain) if **domain == *self.domain => self.fraction(body),
+            Form::OnDomain(body, domain) => Expander::new(domain, self.limits).fraction(body),
+            Form::Substitution { body, .. } if body.is_rooted() => {
+                Err(Box::new(undecided_sign(expression)))
+            }
             Form::Substitution { body, u, v } => {
                 let (u, v) = (self.fraction(u)?, self.fraction(v)?);
                 self.fraction(body)?
@@ -182,6 +187,17 @@ impl<'a> Expander<'a> {
             .and_then(|outer| outer.compose(&at, &zero))
             .ok_or_else(|| division_by_zero(expression))
     }
+}
+
+/// The finding for a derivative of a root whose argument is replaced afterwards: the sign that
+/// the root has on the replaced argument's range is not the one it has where it stands.
+fn undecided_sign(expression: &Scalar) -> Diagnostic {
+    let message = "the sign of a square root or a normal is not decided here";
+    Diagnostic::new(Code::E0210, expression.span(), message)
+        .note(
+            "it is differentiated, or belongs to another surface, before its argument is replaced",
+        )
+        .help("differentiate the expression in which the argument is replaced: `dv(f(v + 2))`")
 }
 
 fn variable(parameter: Parameter) -> Fraction<Real> {

@@ -1,9 +1,11 @@
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
 
 use crate::curve::{Axis, Curve, Parameter, Property};
 use crate::diag::Span;
 use crate::number::{Field, Real};
+
+use super::Domain;
 
 /// A vector expression: three scalar expressions.
 pub type Vector = [Scalar; 3];
@@ -20,10 +22,22 @@ pub struct Scalar(Rc<Node>);
 struct Node {
     span: Span,
     form: Form,
+    facts: Facts,
+}
+
+/// What is known of an expression when it is made, so that nobody has to walk through it again.
+#[derive(Debug, Clone, Copy, Default)]
+struct Facts {
+    /// Whether it mentions u, and v.
+    depends: [bool; 2],
+    /// Whether a root or a normal in it takes its sign from the domain it is used on.
+    rooted: bool,
+    /// How many expressions are nested in it.
+    depth: usize,
 }
 
 /// The forms of a scalar expression.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone)]
 pub enum Form {
     /// A number.
     Constant(Real),
@@ -52,6 +66,64 @@ pub enum Form {
     SquareRoot(Scalar),
     /// A coordinate of the unit normal R_u × R_v / ‖R_u × R_v‖ of a surface.
     Normal(Rc<Vector>, Axis),
+    /// A function whose roots and normals are those on a domain of its own.
+    OnDomain(Scalar, Rc<Domain>),
+}
+
+impl Form {
+    /// The expressions that it is made of.
+    fn parts(&self) -> Vec<&Scalar> {
+        match self {
+            Self::Constant(_) | Self::Parameter(_) => Vec::new(),
+            Self::Sum(parts) | Self::Product(parts) => parts.iter().collect(),
+            Self::Power(own, _)
+            | Self::Property(_, own)
+            | Self::Partial(_, own)
+            | Self::SquareRoot(own)
+            | Self::OnDomain(own, _) => vec![own],
+            Self::Substitution { body, u, v } => vec![body, u, v],
+            Self::Normal(surface, _) => surface.iter().collect(),
+        }
+    }
+
+    /// Whether two forms differ at most in their parts.
+    fn is_like(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Constant(a), Self::Constant(b)) => a == b,
+            (Self::Parameter(a), Self::Parameter(b))
+            | (Self::Partial(a, _), Self::Partial(b, _)) => a == b,
+            (Self::Power(_, a), Self::Power(_, b)) => a == b,
+            (Self::Property(a, _), Self::Property(b, _)) => a == b,
+            (Self::Normal(_, a), Self::Normal(_, b)) => a == b,
+            (Self::OnDomain(_, a), Self::OnDomain(_, b)) => a == b,
+            _ => std::mem::discriminant(self) == std::mem::discriminant(other),
+        }
+    }
+
+    fn facts(&self) -> Facts {
+        let mut facts = Facts::default();
+        for part in self.parts() {
+            let own = part.0.facts;
+            facts.depth = facts.depth.max(own.depth + 1);
+            facts.rooted |= own.rooted;
+            facts.depends = [0, 1].map(|index| facts.depends[index] || own.depends[index]);
+        }
+        match self {
+            Self::Parameter(Parameter::U) => facts.depends[0] = true,
+            Self::Parameter(Parameter::V) => facts.depends[1] = true,
+            Self::SquareRoot(_) | Self::Normal(..) => facts.rooted = true,
+            Self::OnDomain(..) => facts.rooted = false,
+            Self::Substitution { body, u, v } => {
+                let through = |index: usize| {
+                    let [in_u, in_v] = body.0.facts.depends;
+                    (in_u && u.0.facts.depends[index]) || (in_v && v.0.facts.depends[index])
+                };
+                facts.depends = [through(0), through(1)];
+            }
+            _ => {}
+        }
+        facts
+    }
 }
 
 /// A property of a curve, or a derivative of one by the curve's parameter.
@@ -76,7 +148,7 @@ impl Eq for CurveProperty {}
 
 impl PartialEq for Scalar {
     fn eq(&self, other: &Self) -> bool {
-        Rc::ptr_eq(&self.0, &other.0) || self.0.form == other.0.form
+        self.is_same(other, &mut HashSet::new())
     }
 }
 
@@ -86,7 +158,8 @@ impl Scalar {
     /// An expression that stands at a place in the source.
     #[must_use]
     pub fn new(span: Span, form: Form) -> Self {
-        Self(Rc::new(Node { span, form }))
+        let facts = form.facts();
+        Self(Rc::new(Node { span, form, facts }))
     }
 
     /// A number.
@@ -168,25 +241,40 @@ impl Scalar {
         Rc::as_ptr(&self.0).addr()
     }
 
+    /// Whether two expressions are written alike; pairs that were seen are not compared again.
+    fn is_same(&self, other: &Self, seen: &mut HashSet<(usize, usize)>) -> bool {
+        let pair = (self.identity(), other.identity());
+        if pair.0 == pair.1 || !seen.insert(pair) {
+            return true;
+        }
+        let (left, right) = (self.form().parts(), other.form().parts());
+        self.form().is_like(other.form())
+            && left.len() == right.len()
+            && left
+                .iter()
+                .zip(right)
+                .all(|(left, right)| left.is_same(right, seen))
+    }
+
     /// Whether the expression mentions a parameter.
     #[must_use]
     pub fn depends_on(&self, parameter: Parameter) -> bool {
-        match self.form() {
-            Form::Constant(_) => false,
-            Form::Parameter(own) => *own == parameter,
-            Form::Sum(parts) | Form::Product(parts) => {
-                parts.iter().any(|part| part.depends_on(parameter))
-            }
-            Form::Power(base, _) | Form::SquareRoot(base) | Form::Partial(_, base) => {
-                base.depends_on(parameter)
-            }
-            Form::Property(_, argument) => argument.depends_on(parameter),
-            Form::Substitution { body, u, v } => {
-                (body.depends_on(Parameter::U) && u.depends_on(parameter))
-                    || (body.depends_on(Parameter::V) && v.depends_on(parameter))
-            }
-            Form::Normal(surface, _) => surface.iter().any(|part| part.depends_on(parameter)),
-        }
+        self.0.facts.depends[match parameter {
+            Parameter::U => 0,
+            Parameter::V => 1,
+        }]
+    }
+
+    /// Whether the sign of a root or a normal in it depends on where it is used.
+    #[must_use]
+    pub fn is_rooted(&self) -> bool {
+        self.0.facts.rooted
+    }
+
+    /// How many expressions are nested in it.
+    #[must_use]
+    pub fn depth(&self) -> usize {
+        self.0.facts.depth
     }
 
     /// Calls a function for every curve that the expression uses, with the argument it is used at.
@@ -198,40 +286,35 @@ impl Scalar {
         if !seen.insert(self.identity()) {
             return;
         }
-        match self.form() {
-            Form::Constant(_) | Form::Parameter(_) => {}
-            Form::Sum(parts) | Form::Product(parts) => {
-                for part in parts {
-                    part.walk(seen, visit);
-                }
-            }
-            Form::Power(base, _) | Form::SquareRoot(base) | Form::Partial(_, base) => {
-                base.walk(seen, visit);
-            }
-            Form::Property(property, argument) => {
-                visit(&property.curve, argument);
-                argument.walk(seen, visit);
-            }
-            Form::Substitution { body, u, v } => {
-                for part in [body, u, v] {
-                    part.walk(seen, visit);
-                }
-            }
-            Form::Normal(surface, _) => {
-                for part in surface.iter() {
-                    part.walk(seen, visit);
-                }
-            }
+        if let Form::Property(property, argument) = self.form() {
+            visit(&property.curve, argument);
+        }
+        for part in self.form().parts() {
+            part.walk(seen, visit);
         }
     }
 
     /// The expression with u and v replaced: at once where nothing is differentiated, else as a
-    /// [`Form::Substitution`].
+    /// [`Form::Substitution`]. What is shared stays shared.
     #[must_use]
     pub fn substitute(&self, u: &Self, v: &Self) -> Self {
+        self.replace(u, v, &mut HashMap::new())
+    }
+
+    fn replace(&self, u: &Self, v: &Self, known: &mut HashMap<usize, Self>) -> Self {
+        let stays = |parameter, by: &Self| {
+            !self.depends_on(parameter)
+                || matches!(by.form(), Form::Parameter(own) if *own == parameter)
+        };
+        if stays(Parameter::U, u) && stays(Parameter::V, v) {
+            return self.clone();
+        }
+        if let Some(known) = known.get(&self.identity()) {
+            return known.clone();
+        }
         let span = self.span();
-        let replace = |part: &Self| part.substitute(u, v);
-        match self.form() {
+        let mut replace = |part: &Self| part.replace(u, v, known);
+        let replaced = match self.form() {
             Form::Constant(_) => self.clone(),
             Form::Parameter(Parameter::U) => u.clone(),
             Form::Parameter(Parameter::V) => v.clone(),
@@ -242,15 +325,13 @@ impl Scalar {
                 Self::new(span, Form::Property(property.clone(), replace(argument)))
             }
             Form::SquareRoot(base) => Self::new(span, Form::SquareRoot(replace(base))),
-            Form::Partial(..) | Form::Substitution { .. } | Form::Normal(..) => Self::new(
-                span,
-                Form::Substitution {
-                    body: self.clone(),
-                    u: u.clone(),
-                    v: v.clone(),
-                },
-            ),
-        }
+            _ => {
+                let (body, u, v) = (self.clone(), u.clone(), v.clone());
+                Self::new(span, Form::Substitution { body, u, v })
+            }
+        };
+        known.insert(self.identity(), replaced.clone());
+        replaced
     }
 }
 

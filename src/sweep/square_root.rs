@@ -1,8 +1,9 @@
+use crate::curve::Interval;
 use crate::diag::{Code, Diagnostic, Span};
 use crate::number::{Field, Real};
 use crate::poly::{
-    BiPoly, BiSquareTest, Denominator, Fraction, SquareTest, UniPoly, Zeros, sign_change,
-    square_test, square_test_bi, zeros_in_box,
+    BiPoly, BiSquareTest, Denominator, Fraction, SquareTest, UniPoly, ZeroKind, ZeroSet, Zeros,
+    sign_change, square_test, square_test_bi, zeros_by_subdivision,
 };
 
 use super::Domain;
@@ -32,7 +33,7 @@ pub(super) fn square_root(
                 span,
                 "the square root of this is not a rational function",
             )
-            .note(format!("it has this factor an odd number of times: {what}")),
+            .note(what),
         )
     };
     let Some((scale, numerator)) = Denominator::split(reduced.numerator()) else {
@@ -51,11 +52,8 @@ pub(super) fn square_root(
         .into_iter()
         .find_map(|part| part.change_of_sign(domain));
     if let Some(place) = changes {
-        let finding = Diagnostic::new(
-            Code::E0210,
-            span,
-            "this square root changes sign on the domain",
-        );
+        let message = "this square root does not keep its sign on the domain";
+        let finding = Diagnostic::new(Code::E0210, span, message);
         return Err(Box::new(finding.note(place)));
     }
     let fraction = Fraction::quotient(&top.polynomial().scale(&root), &bottom.polynomial());
@@ -81,6 +79,9 @@ fn irrational(radicand: &Real, span: Span) -> Diagnostic {
     .help("this version computes over the rational numbers")
 }
 
+/// Pieces into which the domain is cut at most to find a change of sign.
+const PIECES: usize = 256;
+
 /// The roots of the factors in u, in v and in both.
 struct Root {
     in_u: UniPoly<Real>,
@@ -102,13 +103,38 @@ impl Root {
         if let Some(root) = sign_change(&self.in_v, v.start(), v.end()) {
             return Some(format!("the sign changes at {}", root.place("v")));
         }
-        if self.mixed.as_constant().is_some() {
+        if self.mixed.as_constant().is_some() || self.mixed_is_square() {
             return None;
         }
-        match zeros_in_box(&self.mixed, (u.start(), u.end()), (v.start(), v.end())) {
-            Zeros::None => None,
-            Zeros::Some(_) => Some("the root vanishes on a curve in the domain".to_owned()),
+        let zeros = zeros_by_subdivision(
+            &self.mixed,
+            (u.start(), u.end()),
+            (v.start(), v.end()),
+            PIECES,
+        );
+        let corner = |set: &ZeroSet<Real>| {
+            let at = |(lower, upper): &(Real, Real), range: &Interval| {
+                lower == upper && (lower == range.start() || lower == range.end())
+            };
+            at(&set.u, u) && at(&set.v, v)
+        };
+        match zeros {
+            Some(Zeros::None) => None,
+            Some(Zeros::Some(sets)) if sets.iter().all(corner) => None,
+            Some(Zeros::Some(sets)) => sets
+                .iter()
+                .find(|set| set.kind == ZeroKind::Box)
+                .or(sets.first())
+                .map(|set| format!("it vanishes on a curve through the domain, at {set}")),
+            None => {
+                Some("that it does is not excluded: this version does not decide it".to_owned())
+            }
         }
+    }
+
+    /// A square has one sign.
+    fn mixed_is_square(&self) -> bool {
+        matches!(square_test_bi(&self.mixed), BiSquareTest::Square { .. })
     }
 }
 
@@ -116,7 +142,10 @@ impl Root {
 fn root_of(polynomial: &Denominator<Real>) -> Result<(Real, Root), String> {
     let univariate = |own: &UniPoly<Real>, variable: &str| match square_test(own) {
         SquareTest::Square { factor, root } => Ok((factor, root)),
-        SquareTest::NotSquare { odd_part } => Err(odd_part.display(variable)),
+        SquareTest::NotSquare { odd_part } => Err(format!(
+            "it has this factor an odd number of times: {}",
+            odd_part.display(variable)
+        )),
     };
     let (in_u, in_v) = (
         univariate(polynomial.in_u(), "u")?,

@@ -1,3 +1,5 @@
+use std::rc::Rc;
+
 use crate::curve::Interval;
 use crate::diag::{Diagnostic, Limits, Span};
 use crate::number::{Field, Integer, Real, Ring, gcd, lcm};
@@ -6,7 +8,7 @@ use crate::poly::{
     gcd as gcd_uni, gcd_bi,
 };
 
-use super::{DegreeBound, Expander, Vector, degree_bound};
+use super::{DegreeBound, Expander, Form, Scalar, Vector, degree_bound};
 
 /// The rectangle of parameters on which a surface is used.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -39,6 +41,23 @@ pub struct SweptSurface {
     pub domain: Domain,
     /// x, y, z
     pub coordinates: Vector,
+}
+
+impl SweptSurface {
+    /// The coordinates for use elsewhere: what takes its sign from the domain keeps that of this
+    /// surface.
+    #[must_use]
+    pub fn function(&self) -> Vector {
+        let domain = Rc::new(self.domain.clone());
+        self.coordinates.each_ref().map(|own| {
+            if own.is_rooted() {
+                let form = Form::OnDomain(own.clone(), Rc::clone(&domain));
+                Scalar::new(own.span(), form)
+            } else {
+                own.clone()
+            }
+        })
+    }
 }
 
 /// The homogeneous coordinates W, X, Y, Z of a surface; the points are (X, Y, Z)/W.

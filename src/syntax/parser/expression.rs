@@ -361,7 +361,11 @@ fn reference(input: Stream<'_>) -> Parsed<'_, Reference> {
         qualifier = Some(std::mem::replace(&mut last, property));
         rest = after;
     }
+    let start = rest;
     let (rest, primes) = fold_many0(prime, || 0, u32::saturating_add).parse(rest)?;
+    if primes as usize > input.source.limits.nesting {
+        return told(start, too_deep(start));
+    }
     let reference = Reference {
         qualifier,
         name: last,
