@@ -243,3 +243,59 @@ fn colours_only_where_they_are_wanted() {
     assert!(!coloured(&["check", "x.sweep", "--color", "never"]));
     assert!(coloured(&["check", "x.sweep", "--color", "always"]));
 }
+
+#[test]
+fn hostile_input_ends_at_a_limit_or_soon() {
+    let doubling: String = (1..60)
+        .map(|i| format!("let a{i}(u) = a{0}(u) + a{0}(u)\n", i - 1))
+        .collect();
+    let chain: String = (1..20_000)
+        .map(|i| format!("let a{i}(u) = a{}(u) + 1\n", i - 1))
+        .collect();
+    let unknown: String = (0..5_000).map(|i| format!("let q{i} = zz{i}\n")).collect();
+    let primes = "'".repeat(10_000);
+    for (text, arguments, expected) in [
+        (
+            format!("let a0(u) = u\n{doubling}surface R = (u, v, a59(1 - u))"),
+            &[][..],
+            0,
+        ),
+        (
+            format!("let a0(u) = u\n{chain}surface R = (u, v, a19999(u))"),
+            &[],
+            4,
+        ),
+        (unknown, &[], 1),
+        (
+            format!("let f(u) = u^3\nsurface R = (u, v, f{primes}(u))"),
+            &[],
+            4,
+        ),
+        (
+            "surface R = (u, v, (u + v)^400)".to_owned(),
+            &["--max-seconds", "1"],
+            4,
+        ),
+        (
+            format!("surface R = (u, v, 0.{} u)", "7".repeat(20_000)),
+            &[],
+            0,
+        ),
+    ] {
+        let folder = folder(&text);
+        let arguments = [&["check", "x.sweep"], arguments].concat();
+        let output = run(folder.path(), &arguments, "");
+        let start: String = text.chars().take(60).collect();
+        assert_eq!(status(&output), expected, "{start} {}", err(&output));
+    }
+}
+
+#[test]
+fn endless_files_are_read_no_further_than_the_limit() {
+    let folder = folder(SOUND);
+    let arguments = ["check", "x.sweep", "--max-source", "10"];
+    let output = run(folder.path(), &arguments, "");
+    assert_eq!(status(&output), 4);
+    #[cfg(unix)]
+    assert_eq!(status(&run(folder.path(), &["check", "/dev/zero"], "")), 4);
+}

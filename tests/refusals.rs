@@ -342,3 +342,45 @@ fn properties_inside_a_construction() {
         ],
     );
 }
+
+#[test]
+fn roots_keep_their_sign() {
+    // Roots that vanish at a corner, along a touching line or not at all are sound.
+    for root in ["(u^2 + v^2)^2", "(u - v)^4", "(u + v)^2", "(1 + u v)^2"] {
+        says(&format!("surface R = (u, v, sqrt({root}))"), &[], &[]);
+    }
+    let same = "surface R = (u, v, sqrt((1 + u v)^2))\nexpect R == (u, v, 1 + u v)";
+    says(same, &[], &[]);
+    for (root, codes) in [("(u - v)^2", ["E0210"]), ("(u + v^2 - 1/2)^2", ["E0210"])] {
+        let text = format!("surface R = (u, v, sqrt({root}))");
+        says(&text, &codes, &["does not keep its sign"]);
+    }
+    // A root has the sign of the place where it is used, and a surface that of its own domain.
+    let root = "let f(v) = sqrt((v - 2)^2)\nsurface R = (u, v, 0)\n";
+    says(
+        &format!("{root}expect f(v + 2) == v\nexpect f(v) == 2 - v"),
+        &[],
+        &[],
+    );
+    let differentiated = format!("{root}expect f'(v + 2) == 1");
+    says(&differentiated, &["E0210"], &["is not decided here"]);
+    let elsewhere = "surface Q on [0, 1] x [3, 4] = (u, v, sqrt((v - 2)^2))
+surface P = Q(u, v)
+expect P == (u, v, v - 2)";
+    says(elsewhere, &[], &[]);
+    let normals = "surface N on [0, 1] x [-2, -1] = (u, v^2, 0)
+surface Z on [0, 1] x [1, 2] = offset(N, 1)
+expect Z == (u, v^2, -1)";
+    says(normals, &[], &[]);
+}
+
+#[test]
+fn a_bidegree_is_two_numbers() {
+    for pair in ["(u, 1)", "(1/2, v)"] {
+        says(
+            &format!("surface R = (u, v, 0)\nexpect bidegree(R.Z) == {pair}"),
+            &["E0108"],
+            &[],
+        );
+    }
+}

@@ -4,6 +4,8 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::diag::Limits;
 
+use super::watch::Budget;
+
 /// The exact sweep compiler: swept surfaces in the notation of the papers, proved and compiled to
 /// rational Bézier patches.
 #[derive(Debug, Parser)]
@@ -126,9 +128,23 @@ struct LimitArguments {
     /// Imported files
     #[arg(long, value_name = "FILES", global = true, default_value_t = Limits::default().imports)]
     max_imports: usize,
+    /// Seconds of a run
+    #[arg(long, value_name = "SECONDS", global = true, default_value_t = 60)]
+    max_seconds: u64,
+    /// Memory of a run, where the system tells it
+    #[arg(long, value_name = "MIB", global = true, default_value_t = 2048)]
+    max_memory: u64,
 }
 
 impl Arguments {
+    /// The time and the memory that a run may take.
+    pub(super) fn budget(&self) -> Budget {
+        Budget {
+            seconds: self.limits.max_seconds,
+            mebibytes: self.limits.max_memory,
+        }
+    }
+
     /// The limits, with those that the command line replaces.
     pub(super) fn limits(&self) -> Limits {
         let given = &self.limits;

@@ -8,14 +8,17 @@ mod output;
 mod report;
 mod session;
 mod status;
+mod watch;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
+use std::sync::mpsc::channel;
 
 use clap::Parser;
 
 use arguments::{Arguments, Command};
 use status::Status;
+use watch::watch;
 
 /// Stack for the deepest expressions that the default limits allow, and for each further level.
 const STACK: usize = 16 << 20;
@@ -39,12 +42,15 @@ pub fn run() -> ExitCode {
     };
     let levels = arguments.limits().nesting.saturating_sub(256);
     let stack = STACK.saturating_add(levels.saturating_mul(STACK_OF_LEVEL));
+    let budget = arguments.budget();
+    let (sender, receiver) = channel();
     let worker = std::thread::Builder::new().stack_size(stack);
-    let work = worker.spawn(move || catch_unwind(AssertUnwindSafe(|| dispatch(&arguments))));
-    let status = work
-        .ok()
-        .and_then(|thread| thread.join().ok())
-        .and_then(Result::ok);
+    let work = worker.spawn(move || {
+        if let Ok(status) = catch_unwind(AssertUnwindSafe(|| dispatch(&arguments))) {
+            let _ = sender.send(status);
+        }
+    });
+    let status = work.ok().and_then(|_| watch(&receiver, budget));
     let Some(status) = status else {
         session::complain(
             "internal error: this is a defect of sweepc, please report it with the input",

@@ -94,6 +94,7 @@ codes! {
     E0505 "a degree or a number of terms that is too large",
     E0506 "too many imports",
     E0507 "a coefficient that is too large",
+    E0508 "a run that takes too much time or memory",
     // files
     E0601 "a file that cannot be read",
     E0602 "a file that cannot be written",

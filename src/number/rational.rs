@@ -81,12 +81,30 @@ impl Rational {
         let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
         let digits = Integer::from_str(&format!("{whole}{fraction}")).ok()?;
         let shift = exponent - i64::try_from(fraction.len()).ok()?;
-        let power = Pow::pow(Integer::from(10), u32::try_from(shift.unsigned_abs()).ok()?);
+        let size = u32::try_from(shift.unsigned_abs()).ok()?;
         Some(if shift < 0 {
-            Self::new(digits, power)
+            Self::over_power_of_ten(digits, size)
         } else {
-            Self::new(digits * power, One::one())
+            Self::from(digits * Pow::pow(Integer::from(10), size))
         })
+    }
+
+    /// n / 10ᵏ in lowest terms: only twos and fives can cancel.
+    fn over_power_of_ten(mut numerator: Integer, exponent: u32) -> Self {
+        if Zero::is_zero(&numerator) {
+            return Field::zero();
+        }
+        let twos = numerator.trailing_zeros().unwrap_or(0);
+        let twos = u32::try_from(twos).map_or(exponent, |twos| twos.min(exponent));
+        numerator >>= twos;
+        let five = Integer::from(5);
+        let mut fives = 0;
+        while fives < exponent && Zero::is_zero(&(&numerator % &five)) {
+            numerator /= &five;
+            fives += 1;
+        }
+        let denominator = Pow::pow(five, exponent - fives) << (exponent - twos);
+        Self(BigRational::new_raw(numerator, denominator))
     }
 
     /// The number to so many digits behind the point, the last one rounded half away from zero,
@@ -253,6 +271,17 @@ mod tests {
         assert_eq!(read("1/0"), Err(()));
         assert_eq!(read("x"), Err(()));
         assert_eq!(Rational::from_literal("1e5000", 4096), None);
+        for text in [
+            "0.0", "0.500", "12.50", "1000.000", "0.03125", "2.4e-3", "7e-2",
+        ] {
+            let (mantissa, exponent) = text.split_once('e').unwrap_or((text, "0"));
+            let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+            let digits: i64 = format!("{whole}{fraction}").parse().unwrap_or_default();
+            let exponent: i64 = exponent.parse().unwrap_or_default();
+            let ten = Rational::from(10).power(exponent - fraction.len() as i64);
+            let expected = ten.map(|ten| &Rational::from(digits) * &ten);
+            assert_eq!(Rational::from_literal(text, 99), expected, "{text}");
+        }
     }
 
     #[test]

@@ -1,0 +1,55 @@
+use std::sync::mpsc::{Receiver, RecvTimeoutError};
+use std::time::{Duration, Instant};
+
+use super::session::complain;
+use super::status::Status;
+
+/// How often memory is looked at.
+const INTERVAL: Duration = Duration::from_millis(50);
+
+/// What a run may take.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Budget {
+    pub(super) seconds: u64,
+    pub(super) mebibytes: u64,
+}
+
+/// Waits for the work to end, but no longer than the budget allows; none if the work broke off.
+///
+/// Memory is watched where the system tells how much a process holds.
+pub(super) fn watch(done: &Receiver<Status>, budget: Budget) -> Option<Status> {
+    let start = Instant::now();
+    let most = Duration::from_secs(budget.seconds);
+    loop {
+        match done.recv_timeout(INTERVAL.min(most)) {
+            Ok(status) => return Some(status),
+            Err(RecvTimeoutError::Disconnected) => return None,
+            Err(RecvTimeoutError::Timeout) => {}
+        }
+        let excess = if start.elapsed() >= most {
+            format!(
+                "more than {} seconds; `--max-seconds` raises the limit",
+                budget.seconds
+            )
+        } else if resident_mebibytes().is_some_and(|own| own > budget.mebibytes) {
+            format!(
+                "more than {} MiB of memory; `--max-memory` raises the limit",
+                budget.mebibytes
+            )
+        } else {
+            continue;
+        };
+        complain(&format!("error[E0508]: this takes {excess}"));
+        return Some(Status::Limit);
+    }
+}
+
+/// The memory that this process holds.
+fn resident_mebibytes() -> Option<u64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status
+        .lines()
+        .find_map(|line| line.strip_prefix("VmRSS:"))?;
+    let kibibytes: u64 = line.trim().strip_suffix(" kB")?.parse().ok()?;
+    Some(kibibytes / 1024)
+}
