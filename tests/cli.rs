@@ -299,3 +299,20 @@ fn endless_files_are_read_no_further_than_the_limit() {
     #[cfg(unix)]
     assert_eq!(status(&run(folder.path(), &["check", "/dev/zero"], "")), 4);
 }
+
+#[cfg(target_os = "linux")]
+#[test]
+fn names_that_are_not_text_keep_their_bytes() {
+    use std::ffi::OsStr;
+    use std::os::unix::ffi::OsStrExt;
+    use std::process::Command;
+
+    let folder = TempDir::new().unwrap();
+    let name = OsStr::from_bytes(b"a\xff.sweep");
+    fs::write(folder.path().join(name), SOUND).unwrap();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_sweepc"));
+    let command = command.current_dir(folder.path()).arg("compile").arg(name);
+    assert!(command.output().unwrap().status.success());
+    let written = folder.path().join(OsStr::from_bytes(b"a\xff-R.step"));
+    assert!(written.exists());
+}

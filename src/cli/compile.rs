@@ -1,3 +1,4 @@
+use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -6,7 +7,7 @@ use crate::export::{ALL, Exporter};
 use crate::report::render_json;
 
 use super::arguments::{Arguments, CompileArguments};
-use super::output::{Staged, file_name, stem};
+use super::output::{Staged, file_name, named, stem};
 use super::report::require_surfaces;
 use super::session::{Session, complain, print};
 use super::status::Status;
@@ -89,26 +90,27 @@ fn keeps_files(diagnostics: &Diagnostics) -> bool {
 }
 
 /// The files of a compilation, by name; refusals and warnings go to the findings.
-fn build(session: &mut Session, own: &CompileArguments, emit: &Emit) -> Vec<(String, Vec<u8>)> {
+fn build(session: &mut Session, own: &CompileArguments, emit: &Emit) -> Vec<(OsString, Vec<u8>)> {
     let stem = stem(&own.file);
+    let shown = stem.to_string_lossy();
     let mut files = Vec::new();
     let mut findings = Vec::new();
     let compilation = &session.compilation;
     if emit.report {
         match render_json(&compilation.report(&file_name(&own.file), &session.sources)) {
-            Ok(text) => files.push((format!("{stem}.report.json"), text.into_bytes())),
+            Ok(text) => files.push((named(stem, ".report.json"), text.into_bytes())),
             Err(error) => findings.push(Diagnostic::global(Code::E0602, error.to_string())),
         }
     }
     for surface in compilation.sound_surfaces() {
         let span = surface.definition().span;
-        let exports = compilation.export(surface, &emit.formats, &stem, &session.options);
+        let exports = compilation.export(surface, &emit.formats, &shown, &session.options);
         for (format, result) in exports {
             match result {
                 Ok(exported) => {
                     findings.extend(exported.warnings.into_iter().map(|own| own.at(span)));
-                    let name = format!("{stem}-{}.{}", surface.name(), format.extension);
-                    files.push((name, exported.bytes));
+                    let ending = format!("-{}.{}", surface.name(), format.extension);
+                    files.push((named(stem, &ending), exported.bytes));
                 }
                 Err(finding) => findings.push(*finding),
             }
@@ -122,7 +124,7 @@ fn build(session: &mut Session, own: &CompileArguments, emit: &Emit) -> Vec<(Str
 fn write(
     session: &Session,
     own: &CompileArguments,
-    files: Vec<(String, Vec<u8>)>,
+    files: Vec<(OsString, Vec<u8>)>,
 ) -> Result<Vec<PathBuf>, Box<Diagnostic>> {
     if files.is_empty() {
         return Ok(Vec::new());

@@ -1,3 +1,4 @@
+use std::ffi::{OsStr, OsString};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -14,15 +15,19 @@ pub(super) fn file_name(file: &Path) -> String {
         .into_owned()
 }
 
-/// The name without its extension, for the names of output files.
-pub(super) fn stem(file: &Path) -> String {
+/// The name without its extension, as it is on disk, for the names of output files.
+pub(super) fn stem(file: &Path) -> &OsStr {
     if file == Path::new("-") {
-        return "stdin".to_owned();
+        return OsStr::new("stdin");
     }
-    file.file_stem()
-        .unwrap_or(file.as_os_str())
-        .to_string_lossy()
-        .into_owned()
+    file.file_stem().unwrap_or(file.as_os_str())
+}
+
+/// `STEM` with something appended.
+pub(super) fn named(stem: &OsStr, ending: &str) -> OsString {
+    let mut name = stem.to_owned();
+    name.push(ending);
+    name
 }
 
 /// Files that are written whole or not at all: each is a temporary file in its folder until

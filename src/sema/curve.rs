@@ -165,7 +165,7 @@ impl<'a> Lowerer<'a> {
         let fractions = self.expand_on(&lowered, parameter, domain)?;
         let fractions = match (lowered, plane) {
             (Value::Pair(_), Some(plane)) => {
-                let [first, second] = [plane.axes().0, plane.axes().1];
+                let (first, second) = plane.axes();
                 Axis::ALL.map(|axis| {
                     let index = [first, second].iter().position(|own| *own == axis);
                     index.map_or_else(
