@@ -35,10 +35,7 @@ impl<F: Field> Denominator<F> {
     /// Splits a polynomial into a constant and a denominator; none for 0.
     #[must_use]
     pub fn split(polynomial: &BiPoly<F>) -> Option<(F, Self)> {
-        let in_u = polynomial.content_u();
-        let rest = polynomial.exact_div_u(&in_u)?;
-        let in_v = rest.content_v();
-        let rest = rest.exact_div_v(&in_v)?;
+        let (in_u, in_v, rest) = polynomial.split()?;
         let lead = rest.rows().last()?.leading_coefficient();
         let (scale, mixed) = match rest.as_constant() {
             Some(constant) => (constant, BiPoly::one()),

@@ -109,7 +109,10 @@ impl<'a> Lowerer<'a> {
     /// What stands behind the name in `NAME (…)^2` where that is a product.
     fn rest(&mut self, expr: &'a Expr, scope: &Scope<'a>) -> Lowered<Value> {
         match &expr.kind {
-            ExprKind::Power(base, exponent) => self.power_of_rest(expr.span, base, exponent, scope),
+            ExprKind::Power(base, exponent) => {
+                let value = self.rest(base, scope)?;
+                self.power_of(expr.span, base.span, value, exponent, scope)
+            }
             ExprKind::Component(base, name) => {
                 let base = self.rest(base, scope)?;
                 self.component(&base, name, scope)
@@ -121,17 +124,6 @@ impl<'a> Lowerer<'a> {
             } => self.parenthesis(arguments, *parenthesis, scope),
             _ => self.value(expr, scope),
         }
-    }
-
-    fn power_of_rest(
-        &mut self,
-        span: Span,
-        base: &'a Expr,
-        exponent: &'a Expr,
-        scope: &Scope<'a>,
-    ) -> Lowered<Value> {
-        let value = self.rest(base, scope)?;
-        self.power_of(span, base.span, value, exponent, scope)
     }
 
     /// `(a)`, `(a, b)` or `(a, b, c)` where the parser saw arguments.
