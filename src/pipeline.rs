@@ -11,7 +11,7 @@ use crate::diag::{Code, Diagnostic, Diagnostics, Limits, SourceMap};
 use crate::export::{Context, Exported, Exporter};
 use crate::net::ControlNet;
 use crate::number::{Real, Unit};
-use crate::report::{Report, SurfaceReport};
+use crate::report::Report;
 use crate::sema::{self, Program};
 use crate::syntax;
 use crate::syntax::ast::{Document, Item};
@@ -118,7 +118,7 @@ impl Compilation {
 
     fn judge(&mut self, program: &Program, options: &Options) {
         for expectation in &program.expectations {
-            match judge(expectation, &self.surfaces, &options.limits) {
+            match judge(expectation, &self.surfaces, &program.tower, &options.limits) {
                 Ok(Some(judgement)) => {
                     self.diagnostics.extend(finding(&judgement));
                     self.judgements.push(judgement);
@@ -134,21 +134,19 @@ impl Compilation {
     #[must_use]
     pub fn report(&self, file: &str, sources: &SourceMap) -> Report {
         let first = self.surfaces.iter().position(Option::is_some);
-        let surfaces = self
-            .surfaces
-            .iter()
-            .enumerate()
-            .filter_map(|(index, surface)| {
-                let own = self.judgements.iter().filter(|judgement| {
-                    let of = &judgement.expectation.surfaces;
-                    of.contains(&index) || (of.is_empty() && first == Some(index))
-                });
-                let lined: Vec<(&Judgement, usize)> = own
-                    .map(|own| (own, sources.position(own.expectation.span).0))
-                    .collect();
-                Some(SurfaceReport::of(surface.as_ref()?, &lined))
+        let lined = |index: usize| {
+            let own = self.judgements.iter().filter(move |judgement| {
+                let of = &judgement.expectation.surfaces;
+                of.contains(&index) || (of.is_empty() && first == Some(index))
             });
-        Report::new(file.to_owned(), self.unit, surfaces.collect())
+            own.map(|own| (own, sources.position(own.expectation.span).0))
+                .collect()
+        };
+        let surfaces = self.surfaces.iter().enumerate();
+        let surfaces: Vec<(&Checked, Vec<(&Judgement, usize)>)> = surfaces
+            .filter_map(|(index, surface)| Some((surface.as_ref()?, lined(index))))
+            .collect();
+        Report::new(file.to_owned(), self.unit, &surfaces)
     }
 
     /// The surfaces that may be written: checked, and without poles.

@@ -83,7 +83,7 @@ proptest! {
         denominator in 1_i128..,
         exponent in -1_300_i64..1_100,
     ) {
-        let exact = Real::new(Integer::from(numerator), Integer::from(denominator));
+        let exact = Real::ratio(Integer::from(numerator), Integer::from(denominator));
         let exact = exact.times(&power_of_two(exponent));
         match Double::nearest(&exact) {
             Some(double) => prop_assert!(is_nearest(&exact, double)),

@@ -139,12 +139,25 @@ fn hodograph_that_changes_sign() {
 }
 
 #[test]
-fn irrational_speed() {
-    let codes = &["E0209"];
+fn the_field_grows_up_to_a_limit() {
+    // the speed of (v, v) is √2, and six more square roots of primes make the degree 128
+    let roots = ["3", "5", "7", "11", "13", "17"].map(|prime| format!("sqrt({prime})"));
+    let wide = format!("({}) i + {TRANSLATION}", roots.join(" + "));
+    let codes = &["E0509"];
+    says(&sweep("in xy = (v, v)", TRANSLATION), &[], &[]);
     says(
-        &sweep("in xy = (v, v)", TRANSLATION),
+        &sweep("in xy = (v, v)", &wide),
         codes,
-        &["the parametric speed of `c` needs √(2)"],
+        &[
+            "the parametric speed of `c` needs √(2)",
+            "`--max-field-degree`",
+        ],
+    );
+    let sum = format!("let a = sqrt(2) + {}\n", roots.join(" + "));
+    says(
+        &format!("{sum}surface R = (u, v, a)"),
+        codes,
+        &["√(17) would make the degree of the number field greater than 64"],
     );
 }
 
@@ -223,7 +236,8 @@ fn square_roots() {
         "E0210",
         &["does not keep its sign on the domain", "u = 1/2"],
     );
-    root("2", "E0209", &["√(2) is not a rational number"]);
+    root("-2", "E0210", &["the square root of a negative number"]);
+    says("surface R = (u, v, sqrt(2 (u + 1)^2))", &[], &[]);
     says("surface R = (u, v, sqrt((u + 1)^2 (v + 2)^4))", &[], &[]);
 }
 

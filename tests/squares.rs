@@ -204,8 +204,8 @@ fn point() -> impl Strategy<Value = (Real, Real)> {
         prop_oneof![
             1 => Just(Real::from(0)),
             1 => Just(Real::from(1)),
-            4 => (0_i64..=7, 7_i64..=11).prop_map(|(n, d)| Real::new(n.into(), d.into())),
-            1 => (-7_i64..=7, 1_i64..=3).prop_map(|(n, d)| Real::new(n.into(), d.into())),
+            4 => (0_i64..=7, 7_i64..=11).prop_map(|(n, d)| Real::ratio(n.into(), d.into())),
+            1 => (-7_i64..=7, 1_i64..=3).prop_map(|(n, d)| Real::ratio(n.into(), d.into())),
         ]
     };
     (at(), at())
@@ -267,7 +267,7 @@ fn roads_meet(
     for (u, v) in points {
         let [w, x, y, z] = homogeneous(coordinates, &plain(u), &plain(v));
         let own = (!w.is_zero()).then(|| [x, y, z].map(|own| own / &w));
-        if let Some(slow) = evaluate_slowly(&surface.coordinates, u, v) {
+        if let Some(slow) = evaluate_slowly(&surface.coordinates, u, v, &surface.tower) {
             met += 1;
             assert_eq!(Some(slow.map(|own| plain(&own))), own, "({u}, {v})\n{text}");
         }
@@ -406,7 +406,7 @@ fn reports() {
         let report = &compiled.report()["surfaces"][0];
         let own = ["W", "X", "Y", "Z"]
             .map(|own| json_value(&report["homogeneous"][own], &plain(&u), &plain(&v)));
-        if let Some(slow) = evaluate_slowly(&surface.coordinates, &u, &v) {
+        if let Some(slow) = evaluate_slowly(&surface.coordinates, &u, &v, &surface.tower) {
             for (coordinate, slow) in own[1..].iter().zip(&slow) {
                 assert_eq!(coordinate / &own[0], plain(slow), "{text}");
             }

@@ -1,5 +1,5 @@
 use crate::diag::{Diagnostic, Limits};
-use crate::number::{Field, Real};
+use crate::number::{Field, Real, Tower};
 use crate::poly::{BiDegree, BiPoly, Fraction, UniPoly};
 use crate::sweep::{Claim, Domain, Expander, Expectation, Quality, Quantity, Relation, Scalar};
 
@@ -22,6 +22,7 @@ pub struct Judgement {
 pub fn judge(
     expectation: &Expectation,
     surfaces: &[Option<Checked>],
+    tower: &Tower,
     limits: &Limits,
 ) -> Result<Option<Judgement>, Box<Diagnostic>> {
     let known = |index: &usize| surfaces.get(*index).is_some_and(Option::is_some);
@@ -34,6 +35,7 @@ pub fn judge(
     let judge = Judge {
         surfaces,
         domain: &domain,
+        tower,
         limits,
     };
     let verdict = match &expectation.claim {
@@ -67,6 +69,7 @@ fn quality(quality: Quality, surface: &Checked) -> Verdict {
 struct Judge<'a> {
     surfaces: &'a [Option<Checked>],
     domain: &'a Domain,
+    tower: &'a Tower,
     limits: &'a Limits,
 }
 
@@ -113,7 +116,7 @@ impl Judge<'_> {
     }
 
     fn constant(&self, scalar: &Scalar) -> Judged<Option<Real>> {
-        Expander::new(self.domain, self.limits).constant(scalar)
+        Expander::new(self.domain, self.tower, self.limits).constant(scalar)
     }
 
     /// Common factors are equal if they are proportional.
@@ -148,7 +151,7 @@ impl Judge<'_> {
                 surface.map(|own| own.expansion().common_factor.clone())
             }
             Quantity::Value(parts) => {
-                let fraction = Expander::new(self.domain, self.limits)
+                let fraction = Expander::new(self.domain, self.tower, self.limits)
                     .expand(&parts[0])?
                     .reduce();
                 let whole = fraction.denominator().polynomial().as_constant();
@@ -162,7 +165,7 @@ impl Judge<'_> {
 
     /// Identities are proved by multiplying out; only numbers have an order.
     fn values(&self, left: &[Scalar], relation: Relation, right: &[Scalar]) -> Judged<Verdict> {
-        let mut expander = Expander::new(self.domain, self.limits);
+        let mut expander = Expander::new(self.domain, self.tower, self.limits);
         let mut pairs = Vec::new();
         for (l, r) in left.iter().zip(right) {
             pairs.push((expander.expand(l)?, expander.expand(r)?));

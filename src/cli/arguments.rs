@@ -125,6 +125,9 @@ struct LimitArguments {
     /// Bits of one number
     #[arg(long, value_name = "BITS", global = true, default_value_t = Limits::default().bits)]
     max_bits: u64,
+    /// Degree of the number field
+    #[arg(long, value_name = "DEGREE", global = true, default_value_t = Limits::default().field_degree)]
+    max_field_degree: usize,
     /// Imported files
     #[arg(long, value_name = "FILES", global = true, default_value_t = Limits::default().imports)]
     max_imports: usize,
@@ -156,6 +159,7 @@ impl Arguments {
             degree: given.max_degree,
             terms: given.max_terms,
             bits: given.max_bits,
+            field_degree: given.max_field_degree,
             imports: given.max_imports,
             ..Limits::default()
         }

@@ -1,10 +1,11 @@
 use std::cell::OnceCell;
 
-use crate::number::{Field, Real};
+use crate::number::{Field, Real, Tower};
 use crate::poly::{Antiderivative, RealRoot, UniPoly, integrate, real_roots};
 
 use super::{
-    Axis, Fault, Hodograph, Homogeneous, Interval, Parameter, Plane, Property, PropertyFunction,
+    Axis, Fault, Hodograph, Homogeneous, Interpolant, Interval, Parameter, Plane, Preimage,
+    Property, PropertyFunction,
 };
 
 /// A rational curve of one span on its domain, with the properties that it has exactly.
@@ -19,6 +20,10 @@ pub struct Curve {
     domain: Interval,
     position: Homogeneous,
     hodograph: Hodograph,
+    /// The field, which grows by a square root where the speed needs one.
+    tower: Tower,
+    preimage: Option<Preimage>,
+    interpolant: Option<Interpolant>,
     speed: OnceCell<Result<UniPoly<Real>, Fault>>,
     arc_length: OnceCell<Result<ArcLength, Fault>>,
 }
@@ -39,6 +44,7 @@ impl Curve {
         parameter: Parameter,
         domain: Interval,
         position: Homogeneous,
+        tower: Tower,
     ) -> Self {
         let hodograph = Hodograph::of(&position.reduce());
         Self {
@@ -48,8 +54,22 @@ impl Curve {
             domain,
             position,
             hodograph,
+            tower,
+            preimage: None,
+            interpolant: None,
             speed: OnceCell::new(),
             arc_length: OnceCell::new(),
+        }
+    }
+
+    /// The same curve with what is known of how it was built: the preimage of its hodograph, and
+    /// the Hermite interpolant that it is.
+    #[must_use]
+    pub fn built(self, preimage: Option<Preimage>, interpolant: Option<Interpolant>) -> Self {
+        Self {
+            preimage,
+            interpolant,
+            ..self
         }
     }
 
@@ -95,10 +115,31 @@ impl Curve {
     ///
     /// The faults of [`Hodograph::speed`].
     pub fn speed(&self) -> Result<&UniPoly<Real>, Fault> {
-        let speed = self
-            .speed
-            .get_or_init(|| self.hodograph.speed(&self.domain));
+        let speed = self.speed.get_or_init(|| match &self.preimage {
+            Some(preimage) => preimage.speed(&self.tower).map_err(|_| Fault::FieldDegree {
+                radicand: preimage.factor().norm(),
+            }),
+            None => self.hodograph.speed(&self.domain, &self.tower),
+        });
         speed.as_ref().map_err(Clone::clone)
+    }
+
+    /// The preimage of its hodograph, if the curve was built from it.
+    #[must_use]
+    pub fn preimage(&self) -> Option<&Preimage> {
+        self.preimage.as_ref()
+    }
+
+    /// The Hermite interpolant that it is, if it was built as one.
+    #[must_use]
+    pub fn interpolant(&self) -> Option<&Interpolant> {
+        self.interpolant.as_ref()
+    }
+
+    /// Whether its parametric speed has been asked for, and exists.
+    #[must_use]
+    pub fn is_measured(&self) -> bool {
+        self.speed.get().is_some_and(Result::is_ok)
     }
 
     /// Where σ vanishes on the domain; empty if the curve has no σ.

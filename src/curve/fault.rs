@@ -12,8 +12,8 @@ pub enum Fault {
         /// The product of the odd factors, square-free.
         odd_part: UniPoly<Real>,
     },
-    /// σ = √c · (rational function) with √c outside the field.
-    IrrationalSpeed {
+    /// σ = √c · (rational function), and √c would extend the field beyond the limit on its degree.
+    FieldDegree {
         /// c
         radicand: Real,
     },
@@ -46,7 +46,7 @@ impl Fault {
     pub fn code(&self) -> Code {
         match self {
             Self::NotPythagorean { .. } => Code::E0201,
-            Self::IrrationalSpeed { .. } => Code::E0209,
+            Self::FieldDegree { .. } => Code::E0509,
             Self::SpeedChangesSign { .. } => Code::E0202,
             Self::ArcLengthNotRational { .. } | Self::InfiniteArcLength { .. } => Code::E0203,
             Self::NoMotion => Code::E0204,
@@ -64,8 +64,8 @@ impl Fault {
                     "`{curve}` is not a Pythagorean-hodograph curve: ‖{curve}′‖² is not a square"
                 )
             }
-            Self::IrrationalSpeed { radicand } => format!(
-                "the parametric speed of `{curve}` needs √({radicand}), which is not a rational number"
+            Self::FieldDegree { radicand } => format!(
+                "the parametric speed of `{curve}` needs √({radicand}): the field grows beyond the limit on its degree"
             ),
             Self::SpeedChangesSign { .. } => format!(
                 "the parametric speed of `{curve}` is not rational: a real factor of its hodograph changes sign on the domain"
@@ -91,9 +91,7 @@ impl Fault {
             Self::NotPythagorean { .. } => Some(
                 "give the curve by a preimage, `ph(start: P, preimage: [(a, b), …])`, or use only x, y, z",
             ),
-            Self::IrrationalSpeed { .. } => Some(
-                "this version computes over the rational numbers: choose directions of rational length, such as (3, 4) or (20, 21)",
-            ),
+            Self::FieldDegree { .. } => Some("raise the limit with `--max-field-degree`"),
             Self::SpeedChangesSign { .. } => Some("end the domain at the change of sign"),
             Self::ArcLengthNotRational { .. } => {
                 Some("polynomial Pythagorean-hodograph curves have a rational arc length")
@@ -132,9 +130,7 @@ impl Fault {
             Self::InfiniteArcLength { root } => {
                 Some(format!("σ has a pole at {}", root.place(&variable)))
             }
-            Self::IrrationalSpeed { .. } | Self::NoMotion | Self::NotPlane | Self::StraightLine => {
-                None
-            }
+            Self::FieldDegree { .. } | Self::NoMotion | Self::NotPlane | Self::StraightLine => None,
         }
     }
 }

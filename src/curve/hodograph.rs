@@ -1,4 +1,4 @@
-use crate::number::{Field, Real};
+use crate::number::{Field, Real, Tower};
 use crate::poly::{RealRoot, SquareTest, UniPoly, gcd_all, real_roots, sign_change, square_test};
 
 use super::{Fault, Homogeneous, Interval};
@@ -54,9 +54,10 @@ impl Hodograph {
     ///
     /// # Errors
     ///
-    /// [`Fault::NoMotion`], [`Fault::NotPythagorean`], [`Fault::IrrationalSpeed`], and
-    /// [`Fault::SpeedChangesSign`] where no choice of sign is right on the whole domain.
-    pub fn speed(&self, domain: &Interval) -> Result<UniPoly<Real>, Fault> {
+    /// [`Fault::NoMotion`], [`Fault::NotPythagorean`], [`Fault::FieldDegree`] where the square root
+    /// of the leading coefficient would extend the field too far, and [`Fault::SpeedChangesSign`]
+    /// where no choice of sign is right on the whole domain.
+    pub fn speed(&self, domain: &Interval, tower: &Tower) -> Result<UniPoly<Real>, Fault> {
         if self.is_zero() {
             return Err(Fault::NoMotion);
         }
@@ -66,8 +67,9 @@ impl Hodograph {
             SquareTest::Square { factor, root } => (factor, root),
             SquareTest::NotSquare { odd_part } => return Err(Fault::NotPythagorean { odd_part }),
         };
-        let Some(scale) = factor.square_root() else {
-            return Err(Fault::IrrationalSpeed { radicand: factor });
+        let scale = tower.square_root(&factor);
+        let Ok(scale) = scale else {
+            return Err(Fault::FieldDegree { radicand: factor });
         };
         let signed = root.scale(&scale);
         let over = &signed * &self.denominator;

@@ -72,7 +72,6 @@ codes! {
     E0206 "a property of plane curves only",
     E0207 "division by zero",
     E0208 "a malformed curve",
-    E0209 "an irrational number where the field is the rationals",
     E0210 "a square root that is not rational",
     E0211 "domains that differ",
     // surfaces and exactness
@@ -95,6 +94,7 @@ codes! {
     E0506 "too many imports",
     E0507 "a coefficient that is too large",
     E0508 "a run that takes too much time or memory",
+    E0509 "a field of too large a degree",
     // files
     E0601 "a file that cannot be read",
     E0602 "a file that cannot be written",

@@ -15,6 +15,8 @@ pub struct Limits {
     pub terms: usize,
     /// Bits of one coefficient (`--max-bits`).
     pub bits: u64,
+    /// Degree over the rationals of the field of all numbers (`--max-field-degree`).
+    pub field_degree: usize,
     /// Imported files (`--max-imports`).
     pub imports: usize,
     /// Syntax errors reported for one file.
@@ -31,6 +33,7 @@ impl Default for Limits {
             degree: 500,
             terms: 1_000_000,
             bits: 1_000_000,
+            field_degree: 64,
             imports: 256,
             syntax_errors: 50,
         }

@@ -3,7 +3,7 @@
     reason = "the one place where exact numbers become doubles"
 )]
 
-use crate::number::{Field, Integer, Real, Ring};
+use crate::number::{Field, Integer, Rational, Real, Ring};
 
 /// The bits of a double below its exponent.
 const FRACTION_BITS: i64 = 52;
@@ -27,6 +27,11 @@ impl Double {
     /// - **holds** |q − d| ≤ |q − e| for every double e
     #[must_use]
     pub fn nearest(exact: &Real) -> Option<Self> {
+        // An irrational number is no tie, so its narrow enclosures round to one double.
+        exact.decide(Self::nearest_to_rational)
+    }
+
+    fn nearest_to_rational(exact: &Rational) -> Option<Self> {
         let (sign, numerator, denominator) = sign_and_parts(exact);
         if Ring::is_zero(&numerator) {
             return Some(Self { bits: 0 });
@@ -70,7 +75,7 @@ impl Double {
             mantissa
         };
         let (numerator, denominator) = shifted(&mantissa, &Integer::from(1), -step);
-        Real::from_parts(numerator, denominator)
+        Real::from(Rational::new(numerator, denominator))
     }
 
     /// The double itself.
@@ -114,6 +119,10 @@ impl Double {
 
 /// The power of ten at or below the absolute value of a number that is not 0: `1e308`.
 pub(super) fn magnitude(exact: &Real) -> String {
+    exact.decide(magnitude_of_rational)
+}
+
+fn magnitude_of_rational(exact: &Rational) -> String {
     let (_, numerator, denominator) = sign_and_parts(exact);
     let digits = |quotient: Integer| quotient.to_string().len() - 1;
     if numerator >= denominator {
@@ -125,7 +134,7 @@ pub(super) fn magnitude(exact: &Real) -> String {
 }
 
 /// Whether it is negative, and the absolute value as a quotient of integers.
-fn sign_and_parts(exact: &Real) -> (bool, Integer, Integer) {
+fn sign_and_parts(exact: &Rational) -> (bool, Integer, Integer) {
     let (numerator, denominator) = exact.parts();
     let negative = Ring::sign(&numerator).is_lt();
     let numerator = if negative { -numerator } else { numerator };

@@ -1,4 +1,4 @@
-use crate::number::{Real, Unit};
+use crate::number::Unit;
 
 /// What a file says beside the net.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -9,8 +9,6 @@ pub struct Context<'a> {
     pub stem: &'a str,
     /// What the number 1 means as a length.
     pub unit: Unit,
-    /// The generators of the field of the net's numbers, in their order; none for the rationals.
-    pub field: Vec<Generator>,
     /// Whether weights may differ by any factor, not only by
     /// [10⁶](Context::GREATEST_WEIGHT_RATIO).
     pub any_weight_ratio: bool,
@@ -20,24 +18,14 @@ impl<'a> Context<'a> {
     /// The quotient of the greatest weight by the least above which kernels lose accuracy.
     pub const GREATEST_WEIGHT_RATIO: i64 = 1_000_000;
 
-    /// A surface of a file, in millimetres and over the rationals.
+    /// A surface of a file, in millimetres.
     #[must_use]
     pub fn new(stem: &'a str, surface: &'a str) -> Self {
         Self {
             surface,
             stem,
             unit: Unit::default(),
-            field: Vec::new(),
             any_weight_ratio: false,
         }
     }
-}
-
-/// A generator of the field: the positive square root of a number that precedes it.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Generator {
-    /// Its name, such as `r1`.
-    pub name: String,
-    /// Its square.
-    pub square: Real,
 }

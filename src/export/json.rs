@@ -3,7 +3,7 @@
 use serde_json::json;
 
 use crate::net::{ControlNet, Knots};
-use crate::number::Real;
+use crate::number::{Basis, Real};
 
 use super::{Context, Double, ExportFault, Exported, Exporter, Fidelity, RoundedNet};
 
@@ -17,8 +17,10 @@ pub(super) const EXPORTER: Exporter = Exporter {
 /// - **errors** a number beyond the last double (E0306)
 fn write(net: &ControlNet, context: &Context) -> Result<Exported, ExportFault> {
     let rounded = RoundedNet::new(net)?;
-    let generators = context.field.iter();
-    let field = generators.map(|own| json!({"name": own.name, "square": own.square.to_string()}));
+    let basis = basis(net);
+    let definitions = basis.definitions().into_iter();
+    let field = definitions.map(|(name, square)| json!({"name": name, "square": square}));
+    let quoted = |exact: &Real| format!("\"{}\"", basis.spell(exact));
     let knots = |knots: &Knots| Layout::Line(array(knots.values().iter().map(quoted)));
     let weights = net.weights().iter().map(quoted);
     let points = net.points().iter().map(|own| array(own.iter().map(quoted)));
@@ -113,7 +115,10 @@ fn array(items: impl Iterator<Item = String>) -> String {
     format!("[{}]", items.collect::<Vec<_>>().join(", "))
 }
 
-/// An exact number as a JSON string.
-fn quoted(exact: &Real) -> String {
-    format!("\"{exact}\"")
+/// The generators of the numbers of a net.
+fn basis(net: &ControlNet) -> Basis {
+    let knots = net.knots_u().values().iter().chain(net.knots_v().values());
+    let points = net.points().iter().flatten();
+    let numbers = knots.chain(net.weights()).chain(points);
+    Basis::of(numbers.map(Real::numerator))
 }

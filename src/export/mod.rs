@@ -14,7 +14,7 @@ mod step;
 use crate::net::ControlNet;
 
 pub use approx::Double;
-pub use context::{Context, Generator};
+pub use context::Context;
 pub use exported::{Exported, Fidelity};
 pub use fault::ExportFault;
 pub use rounded_net::RoundedNet;

@@ -1,17 +1,13 @@
 use std::cmp::Ordering;
 use std::fmt::{Debug, Display};
 
-use super::{Integer, Residue};
+use super::{Integer, Place};
 
 /// The numerators of a [`Field`]: an integral domain in which every element of the field stands
 /// over a rational integer.
 ///
 /// For the rationals this is ℤ; for ℚ(√a)(√b)… it is ℤ[√a, √b, …] with integral radicands.
 pub trait Ring: Clone + PartialEq + Eq + Debug + Send + Sync + 'static {
-    /// Whether Gauss's lemma holds: what a primitive polynomial divides over the field, it
-    /// divides over the ring.
-    const GAUSS: bool;
-
     /// 0
     fn zero() -> Self;
     /// 1
@@ -48,15 +44,18 @@ pub trait Ring: Clone + PartialEq + Eq + Debug + Send + Sync + 'static {
     fn content(&self) -> Integer;
     /// The sign of the real number.
     fn sign(&self) -> Ordering;
-    /// The image in the prime field of [`Residue`], a ring homomorphism; none if the field has
-    /// no such image.
-    fn residue(&self) -> Option<Residue>;
+    /// The number of generators of the field that the element is known to lie in: 0 for a
+    /// rational integer.
+    fn height(&self) -> usize;
+    /// A homomorphism to a prime field, good for all elements of no greater height; none if
+    /// none is known.
+    fn place(&self) -> Option<Place>;
+    /// The image at a place, which is that of an element of no smaller height.
+    fn image(&self, place: &Place) -> u64;
     /// The size of the largest rational integer in it.
     fn bits(&self) -> u64;
-    /// The element as a rational integer; none if it is not one, or not known to be one.
-    fn as_integer(&self) -> Option<&Integer> {
-        None
-    }
+    /// The element as a rational integer; none if it is not one.
+    fn as_integer(&self) -> Option<&Integer>;
 }
 
 /// A real field with exact arithmetic and decidable sign.
@@ -80,6 +79,10 @@ pub trait Field: Clone + PartialEq + Eq + Ord + Debug + Display + Send + Sync + 
     fn one() -> Self;
     /// Whether it is 0.
     fn is_zero(&self) -> bool;
+    /// Whether it is a rational number.
+    fn is_rational(&self) -> bool {
+        self.parts().0.height() == 0
+    }
     /// a + b
     #[must_use]
     fn plus(&self, other: &Self) -> Self;
@@ -96,6 +99,7 @@ pub trait Field: Clone + PartialEq + Eq + Ord + Debug + Display + Send + Sync + 
     fn inverse(&self) -> Option<Self>;
     /// The sign of the real number.
     fn sign(&self) -> Ordering;
-    /// The root that is not negative, if it lies in the field.
+    /// The root that is not negative, if it lies in the field that the number itself generates
+    /// together with the levels below it.
     fn square_root(&self) -> Option<Self>;
 }

@@ -3,7 +3,7 @@ use std::cmp::Ordering;
 use num_integer::Integer as _;
 use num_traits::{One, Signed, Zero};
 
-use super::{Residue, Ring};
+use super::{Place, Ring};
 
 /// A rational integer of any size.
 pub type Integer = num_bigint::BigInt;
@@ -75,8 +75,6 @@ pub fn lcm(left: &Integer, right: &Integer) -> Integer {
 }
 
 impl Ring for Integer {
-    const GAUSS: bool = true;
-
     fn zero() -> Self {
         Zero::zero()
     }
@@ -138,8 +136,16 @@ impl Ring for Integer {
         self.cmp(&Zero::zero())
     }
 
-    fn residue(&self) -> Option<Residue> {
-        Some(Residue::of_integer(self))
+    fn height(&self) -> usize {
+        0
+    }
+
+    fn place(&self) -> Option<Place> {
+        Some(Place::rational())
+    }
+
+    fn image(&self, place: &Place) -> u64 {
+        place.modulus().embed_integer(self)
     }
 
     fn bits(&self) -> u64 {

@@ -4,19 +4,34 @@
 //! polynomials can keep one common denominator and compute without fractions. Everything above
 //! `poly` is concrete over [`Real`]; nothing above this floor may assume what `Real` is.
 
+mod basis;
+mod complex;
+mod enclosure;
 mod field;
+mod generator;
 mod integer;
 mod modulus;
+mod place;
 mod rational;
-mod residue;
+mod surd;
+mod surd_integer;
+mod tower;
 mod unit;
 
+pub use basis::Basis;
+use basis::radicals;
+pub use complex::Complex;
+pub use enclosure::Enclosure;
 pub use field::{Field, Ring};
+pub use generator::Generator;
 pub use integer::{Integer, gcd, lcm};
 pub use modulus::Modulus;
+pub use place::Place;
 pub use rational::Rational;
-pub use residue::Residue;
+pub use surd::Surd;
+pub use surd_integer::{Binomial, SurdInteger};
+pub use tower::{RootFault, Tower};
 pub use unit::Unit;
 
 /// The exact real numbers that curves and surfaces are made of.
-pub type Real = Rational;
+pub type Real = Surd;

@@ -23,6 +23,12 @@ pub struct Modulus {
 }
 
 impl Modulus {
+    /// The prime 2⁶¹ − 1.
+    #[must_use]
+    pub fn mersenne() -> Self {
+        Self::of_odd((1 << 61) - 1)
+    }
+
     /// The primes below 2⁶², from the greatest down.
     pub fn descending() -> impl Iterator<Item = Self> {
         let bound = (1 << 62) - FIRST[FIRST.len() - 1];
@@ -57,6 +63,13 @@ impl Modulus {
     #[must_use]
     pub fn prime(&self) -> u64 {
         self.prime
+    }
+
+    /// The prime as it is named in reports: `2^61 - 1`.
+    #[must_use]
+    pub fn name(&self) -> String {
+        let bits = u64::BITS - self.prime.leading_zeros();
+        format!("2^{bits} - {}", (1 << bits) - self.prime)
     }
 
     /// 1
@@ -153,6 +166,15 @@ impl Modulus {
     #[must_use]
     pub fn inverse(&self, value: u64) -> u64 {
         self.power(value, self.prime - 2)
+    }
+
+    /// A square root of an image, where q ≡ 3 modulo 4; none if it is no square.
+    ///
+    /// For a square a = b² the power a^((q+1)/4) is b or −b, as b^((q−1)/2) = ±1.
+    #[must_use]
+    pub fn square_root(&self, value: u64) -> Option<u64> {
+        let root = self.power(value, (self.prime + 1) / 4);
+        (self.times(root, root) == value).then_some(root)
     }
 
     /// Whether q is a prime: strong probable primality to the first twelve prime bases, which

@@ -31,6 +31,11 @@ impl Rational {
         ))
     }
 
+    /// numerator / denominator, coprime, the denominator positive
+    pub(super) fn in_lowest_terms(numerator: Integer, denominator: Integer) -> Self {
+        Self(BigRational::new_raw(numerator, denominator))
+    }
+
     /// The numerator, with the sign.
     #[must_use]
     pub fn numerator(&self) -> &Integer {

@@ -320,10 +320,15 @@ impl<F: Field> BiPoly<F> {
         self.terms.push((primitive, in_v));
     }
 
-    /// The primitive form of a product of primitive polynomials: itself where Gauss's lemma
-    /// holds.
-    fn add_product_term(&mut self, in_u: UniPoly<F>, in_v: UniPoly<F>) {
-        if F::Ring::GAUSS {
+    /// Adds the product of two terms. Primitive polynomials over the integers have primitive
+    /// products.   (Gauss's lemma)
+    fn add_product_term(
+        &mut self,
+        left: &(UniPoly<F>, UniPoly<F>),
+        right: &(UniPoly<F>, UniPoly<F>),
+    ) {
+        let (in_u, in_v) = (&left.0 * &right.0, &left.1 * &right.1);
+        if left.0.is_rational() && right.0.is_rational() {
             self.add_primitive_term(in_u, in_v);
         } else {
             self.add_term(&in_u, &in_v);
@@ -422,9 +427,9 @@ impl<F: Field> Mul for &BiPoly<F> {
     type Output = BiPoly<F>;
     fn mul(self, other: Self) -> BiPoly<F> {
         let mut product = BiPoly::zero();
-        for (left_u, left_v) in &self.terms {
-            for (right_u, right_v) in &other.terms {
-                product.add_product_term(left_u * right_u, left_v * right_v);
+        for left in &self.terms {
+            for right in &other.terms {
+                product.add_product_term(left, right);
             }
         }
         product.limit_terms()

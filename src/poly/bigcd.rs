@@ -1,7 +1,7 @@
-use super::image::Image;
+use super::image::{Image, place_of_all};
 use super::interpolation::Interpolation;
 use super::{BiPoly, UniPoly, gcd};
-use crate::number::{Field, Integer, Residue, Ring, lcm};
+use crate::number::{Field, Integer, Place, Ring, lcm};
 
 impl<F: Field> BiPoly<F> {
     /// The multiple whose coefficients are coprime integers, the leading one (highest power of
@@ -14,7 +14,7 @@ impl<F: Field> BiPoly<F> {
         let Some(lead) = rows.last().map(UniPoly::leading_coefficient) else {
             return Self::zero();
         };
-        if !F::Ring::GAUSS && lead != F::one() {
+        if !lead.is_rational() {
             return match lead.inverse() {
                 Some(inverse) => self.scale(&inverse).primitive(),
                 None => Self::zero(),
@@ -47,7 +47,7 @@ impl<F: Field> BiPoly<F> {
 
 /// The greatest common divisor in the normal form of [`BiPoly::primitive`]; gcd(0, 0) = 0.
 ///
-/// Images modulo 2⁶¹ − 1, one at a point u and one at a point v, prove most pairs coprime.
+/// Images modulo a prime, one at a point u and one at a point v, prove most pairs coprime.
 /// Otherwise the divisors in u alone and in v alone are univariate; that of the rest is
 /// interpolated from univariate ones, and division is the proof.
 #[must_use]
@@ -58,7 +58,8 @@ pub fn gcd_bi<F: Field>(left: &BiPoly<F>, right: &BiPoly<F>) -> BiPoly<F> {
     if right.is_zero() {
         return left.primitive();
     }
-    if images_coprime(left, right) {
+    let place = place_of_all([left, right]);
+    if place.is_some_and(|place| images_coprime(left, right, &place)) {
         return BiPoly::one();
     }
     let (Some(first), Some(second)) = (left.split(), right.split()) else {
@@ -104,7 +105,9 @@ fn gcd_of_primitive<F: Field>(left: &BiPoly<F>, right: &BiPoly<F>) -> BiPoly<F> 
         return BiPoly::one();
     };
     // Without such divisors a polynomial in one variable is a constant.
-    if first.u.min(first.v).min(second.u).min(second.v) == 0 || free_of_v(left, right) {
+    let place = place_of_all([left, right]);
+    let bounded = place.is_some_and(|place| free_of_v(left, right, &place));
+    if first.u.min(first.v).min(second.u).min(second.v) == 0 || bounded {
         return BiPoly::one();
     }
     if first.u.min(second.u) > first.v.min(second.v) {
@@ -117,19 +120,19 @@ fn gcd_of_primitive<F: Field>(left: &BiPoly<F>, right: &BiPoly<F>) -> BiPoly<F> 
 const POINT: u64 = 0x1234_5678_9abc_def1;
 
 /// Whether images at one point show that every common divisor is a constant.
-fn images_coprime<F: Field>(left: &BiPoly<F>, right: &BiPoly<F>) -> bool {
+fn images_coprime<F: Field>(left: &BiPoly<F>, right: &BiPoly<F>, place: &Place) -> bool {
     let image = |own: &BiPoly<F>| {
-        let image = Image::at_v(own, Residue::new(POINT))?;
+        let image = Image::at_v(own, POINT, place)?;
         let degree = own.terms().iter().filter_map(|(in_u, _)| in_u.degree());
         Some((degree.max(), image))
     };
-    free_of_v(left, right) && are_coprime(image(left), image(right))
+    free_of_v(left, right, place) && are_coprime(image(left), image(right))
 }
 
 /// Whether images at one point show that no common divisor depends on v.
-fn free_of_v<F: Field>(left: &BiPoly<F>, right: &BiPoly<F>) -> bool {
+fn free_of_v<F: Field>(left: &BiPoly<F>, right: &BiPoly<F>, place: &Place) -> bool {
     let image = |own: &BiPoly<F>| {
-        let image = Image::at_u(own, Residue::new(POINT))?;
+        let image = Image::at_u(own, POINT, place)?;
         let degree = own.terms().iter().filter_map(|(_, in_v)| in_v.degree());
         Some((degree.max(), image))
     };

@@ -1,7 +1,7 @@
-use super::image::Image;
+use super::image::{Image, place_of_all};
 use super::square::primitive_root;
 use super::{BiPoly, SquareTest, UniPoly, square_test};
-use crate::number::{Field, Integer, Residue, Ring, lcm};
+use crate::number::{Field, Integer, Ring, lcm};
 
 /// Whether a polynomial in u and v is a square up to a constant factor.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -22,7 +22,7 @@ pub enum BiSquareTest<F: Field> {
 
 /// Decides whether p(u, v) = factor · root².
 ///
-/// An image modulo 2⁶¹ − 1 in one variable refutes almost every other polynomial: if p is a
+/// An image modulo a prime in one variable refutes almost every other polynomial: if p is a
 /// square up to a constant, then so is its image, unless that is 0. For a square the root is
 /// that of the univariate p(xᴺ, x), N > degᵥ p, from which p can be read off.
 ///
@@ -91,15 +91,16 @@ fn product_test<F: Field>(in_u: &UniPoly<F>, in_v: &UniPoly<F>) -> BiSquareTest<
 /// image is the image of c times a square. Being a square up to a constant is the same over an
 /// extension of the prime field.
 fn refuted_by_image<F: Field>(polynomial: &BiPoly<F>) -> Option<String> {
+    let place = place_of_all([polynomial])?;
+    let prime = place.modulus().name();
     for point in [3_141_592_653, 2_718_281_828] {
-        let at = Residue::new(point);
         for (variable, image) in [
-            ("u", Image::at_u(polynomial, at)),
-            ("v", Image::at_v(polynomial, at)),
+            ("u", Image::at_u(polynomial, point, &place)),
+            ("v", Image::at_v(polynomial, point, &place)),
         ] {
             if !image?.is_square() {
                 return Some(format!(
-                    "an image modulo 2^61 - 1 shows it, at {variable} = {point}"
+                    "an image modulo {prime} shows it, at {variable} = {point}"
                 ));
             }
         }

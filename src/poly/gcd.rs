@@ -1,4 +1,4 @@
-use super::image::Image;
+use super::image::{Image, place_of};
 use super::modular;
 use super::subresultant::Subresultant;
 use super::{Coprimality, UniPoly};
@@ -7,7 +7,7 @@ use crate::number::{Field, Ring};
 /// The greatest common divisor in the normal form of [`UniPoly::primitive`]; gcd(0, 0) = 0.
 ///
 /// - **holds** it divides both, and every common divisor divides it
-/// - **cost** one image modulo 2⁶¹ − 1 if the polynomials are coprime; images modulo many primes
+/// - **cost** one image modulo a prime if the polynomials are coprime; images modulo many primes
 ///   over ℚ, a subresultant sequence over other fields
 #[must_use]
 pub fn gcd<F: Field>(left: &UniPoly<F>, right: &UniPoly<F>) -> UniPoly<F> {
@@ -70,12 +70,13 @@ pub fn certify_coprime<F: Field>(polynomials: &[&UniPoly<F>]) -> Option<Coprimal
         .filter(|polynomial| !polynomial.is_zero())
         .collect();
     if image_gcd_degree(&list) == Some(0) {
-        return Some(Coprimality::Modular);
+        let place = place_of(list.iter().copied())?;
+        return Some(Coprimality::Modular(*place.modulus()));
     }
     (gcd_all(list).degree() == Some(0)).then_some(Coprimality::Euclid)
 }
 
-/// The degree of the gcd of the images modulo 2⁶¹ − 1, an upper bound for the degree of the gcd;
+/// The degree of the gcd of the images at a place, an upper bound for the degree of the gcd;
 /// none if there are no images or every leading coefficient vanishes in them.
 ///
 /// The bound holds as soon as one leading coefficient is kept. For let g divide every pᵢ, take a
@@ -83,10 +84,11 @@ pub fn certify_coprime<F: Field>(polynomials: &[&UniPoly<F>]) -> Option<Coprimal
 /// cofactors pᵢ / g lie over that ring too; where lc(pᵢ) is a unit, so is lc(g): the image of g
 /// keeps its degree, and divides all images.
 fn image_gcd_degree<F: Field>(polynomials: &[&UniPoly<F>]) -> Option<usize> {
+    let place = place_of(polynomials.iter().copied())?;
     let mut kept = false;
     let mut common: Option<Image> = None;
     for polynomial in polynomials {
-        let image = Image::of(polynomial)?;
+        let image = Image::of(polynomial, &place);
         kept |= image.degree() == polynomial.degree() && !polynomial.is_zero();
         common = Some(match common {
             Some(common) => common.gcd(image),
@@ -120,7 +122,7 @@ fn gcd_exact<F: Field>(left: &UniPoly<F>, right: &UniPoly<F>, bound: Option<usiz
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::Rational;
+    use crate::number::{Modulus, Rational};
 
     fn polynomial(coefficients: &[i64]) -> UniPoly<Rational> {
         let coefficients: Vec<_> = coefficients.iter().copied().map(Rational::from).collect();
@@ -151,7 +153,10 @@ mod tests {
         assert_eq!(gcd_all(std::iter::empty::<&UniPoly<Rational>>()), zero);
         assert_eq!(lcm(&zero, &line), zero);
         assert_eq!(certify_coprime(&[&zero, &line]), None);
-        assert_eq!(certify_coprime(&[&zero, &two]), Some(Coprimality::Modular));
+        assert_eq!(
+            certify_coprime(&[&zero, &two]),
+            Some(Coprimality::Modular(Modulus::mersenne()))
+        );
     }
 
     #[test]
@@ -177,7 +182,7 @@ mod tests {
         assert_eq!(gcd_all(&list), polynomial(&[1]));
         assert_eq!(
             certify_coprime(&list.iter().collect::<Vec<_>>()),
-            Some(Coprimality::Modular)
+            Some(Coprimality::Modular(Modulus::mersenne()))
         );
     }
 }

@@ -1,94 +1,132 @@
 use super::{BiPoly, UniPoly};
-use crate::number::{Field, Residue, Ring};
+use crate::number::{Field, Modulus, Place, Ring};
 
-/// A polynomial over the prime field of [`Residue`], ascending, without trailing zeros: the
-/// image of a polynomial's numerators.
+/// A polynomial over a prime field, ascending, without trailing zeros: the image of a
+/// polynomial's numerators at a [`Place`].
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Image(Vec<Residue>);
+pub(super) struct Image {
+    modulus: Modulus,
+    coefficients: Vec<u64>,
+}
+
+/// A place at which all the polynomials have images; none if none is known.
+pub(super) fn place_of<'a, F: Field>(
+    polynomials: impl IntoIterator<Item = &'a UniPoly<F>>,
+) -> Option<Place> {
+    let numerators = polynomials
+        .into_iter()
+        .flat_map(|polynomial| polynomial.numerators());
+    match numerators.max_by_key(|own| own.height()) {
+        Some(highest) => highest.place(),
+        None => Some(Place::rational()),
+    }
+}
+
+/// A place at which all the polynomials have images; none if none is known.
+pub(super) fn place_of_all<'a, F: Field>(
+    polynomials: impl IntoIterator<Item = &'a BiPoly<F>>,
+) -> Option<Place> {
+    let terms = polynomials.into_iter().flat_map(BiPoly::terms);
+    place_of(terms.flat_map(|(in_u, in_v)| [in_u, in_v]))
+}
 
 impl Image {
-    /// The image of the numerators; none if the field has no image.
-    pub(super) fn of<F: Field>(polynomial: &UniPoly<F>) -> Option<Self> {
-        let residues = polynomial.numerators().iter().map(Ring::residue);
-        Some(Self::new(residues.collect::<Option<_>>()?))
+    /// The image of the numerators at a place for them.
+    pub(super) fn of<F: Field>(polynomial: &UniPoly<F>, place: &Place) -> Self {
+        let numerators = polynomial.numerators().iter();
+        Self::new(
+            numerators.map(|own| own.image(place)).collect(),
+            place.modulus(),
+        )
     }
 
     /// Σ cᵢ xⁱ from ascending coefficients.
-    pub(super) fn new(mut coefficients: Vec<Residue>) -> Self {
-        while coefficients.last() == Some(&Residue::ZERO) {
+    pub(super) fn new(mut coefficients: Vec<u64>, modulus: &Modulus) -> Self {
+        while coefficients.last() == Some(&0) {
             coefficients.pop();
         }
-        Self(coefficients)
+        Self {
+            modulus: *modulus,
+            coefficients,
+        }
     }
 
-    /// The image of p(a, v), a polynomial in v; none if the field has no
-    /// image or a denominator vanishes in it.
-    pub(super) fn at_u<F: Field>(polynomial: &BiPoly<F>, at: Residue) -> Option<Self> {
+    /// The image of p(a, v), a polynomial in v; none if a denominator vanishes in it.
+    pub(super) fn at_u<F: Field>(polynomial: &BiPoly<F>, at: u64, place: &Place) -> Option<Self> {
         let terms = polynomial.terms().iter();
-        Self::at(terms.map(|(in_u, in_v)| (in_u, in_v)), at)
+        Self::at(terms.map(|(in_u, in_v)| (in_u, in_v)), at, place)
     }
 
     /// The image of p(u, b), a polynomial in u.
-    pub(super) fn at_v<F: Field>(polynomial: &BiPoly<F>, at: Residue) -> Option<Self> {
+    pub(super) fn at_v<F: Field>(polynomial: &BiPoly<F>, at: u64, place: &Place) -> Option<Self> {
         let terms = polynomial.terms().iter();
-        Self::at(terms.map(|(in_u, in_v)| (in_v, in_u)), at)
+        Self::at(terms.map(|(in_u, in_v)| (in_v, in_u)), at, place)
     }
 
     /// Σ fₖ(a) gₖ
     fn at<'a, F: Field>(
         terms: impl Iterator<Item = (&'a UniPoly<F>, &'a UniPoly<F>)>,
-        at: Residue,
+        at: u64,
+        place: &Place,
     ) -> Option<Self> {
-        let mut sum: Vec<Residue> = Vec::new();
+        let modulus = place.modulus();
+        let at = modulus.embed(at);
+        let mut sum: Vec<u64> = Vec::new();
         for (fixed, free) in terms {
-            let value = Self::of(fixed)?.evaluate(at);
+            let value = Self::of(fixed, place).evaluate(at);
             let denominators = [fixed, free].map(UniPoly::denominator);
             let denominator = denominators
                 .into_iter()
                 .filter(|own| !Ring::is_one(*own))
-                .fold(Residue::ONE, |all, own| all * Residue::of_integer(own));
-            if denominator == Residue::ZERO {
+                .fold(modulus.one(), |all, own| {
+                    modulus.times(all, modulus.embed_integer(own))
+                });
+            if denominator == 0 {
                 return None;
             }
-            let weight = if denominator == Residue::ONE {
+            let weight = if denominator == modulus.one() {
                 value
             } else {
-                value * denominator.inverse()
+                modulus.times(value, modulus.inverse(denominator))
             };
             let length = sum.len().max(free.numerators().len());
-            sum.resize(length, Residue::ZERO);
+            sum.resize(length, 0);
             for (own, numerator) in sum.iter_mut().zip(free.numerators()) {
-                *own = *own + numerator.residue()? * weight;
+                *own = modulus.plus(*own, modulus.times(numerator.image(place), weight));
             }
         }
-        Some(Self::new(sum))
+        Some(Self::new(sum, modulus))
     }
 
-    fn evaluate(&self, at: Residue) -> Residue {
-        let coefficients = self.0.iter().rev();
-        coefficients.fold(Residue::ZERO, |value, own| value * at + *own)
+    fn evaluate(&self, at: u64) -> u64 {
+        let modulus = &self.modulus;
+        let coefficients = self.coefficients.iter().rev();
+        coefficients.fold(0, |value, own| modulus.plus(modulus.times(value, at), *own))
     }
 
     /// Whether it is a constant times a square; 0 is.
     ///
     /// The root of the monic multiple follows from the upper half of the coefficients.
     pub(super) fn is_square(&self) -> bool {
-        let Some(lead) = self.0.last() else {
+        let (modulus, length) = (&self.modulus, self.coefficients.len());
+        let Some(lead) = self.coefficients.last() else {
             return true;
         };
-        if self.0.len().is_multiple_of(2) {
+        if length.is_multiple_of(2) {
             return false;
         }
-        let (inverse, half) = (lead.inverse(), Residue::new(2).inverse());
-        let monic: Vec<Residue> = self.0.iter().rev().map(|own| *own * inverse).collect();
-        let mut root = vec![Residue::ONE];
+        let inverse = modulus.inverse(*lead);
+        let half = modulus.inverse(modulus.embed(2));
+        let descending = self.coefficients.iter().rev();
+        let monic: Vec<u64> = descending.map(|own| modulus.times(*own, inverse)).collect();
+        let mut root = vec![modulus.one()];
         for (order, own) in monic.iter().enumerate().skip(1) {
-            let first = (order + 1).saturating_sub(self.0.len().div_ceil(2)).max(1);
+            let first = (order + 1).saturating_sub(length.div_ceil(2)).max(1);
             let sum = (first..root.len().min(order + 1 - first))
-                .map(|index| root[index] * root[order - index])
-                .fold(Residue::ZERO, |sum, product| sum + product);
-            if order <= self.0.len() / 2 {
-                root.push((*own - sum) * half);
+                .map(|index| modulus.times(root[index], root[order - index]))
+                .fold(0, |sum, product| modulus.plus(sum, product));
+            if order <= length / 2 {
+                root.push(modulus.times(modulus.minus(*own, sum), half));
             } else if sum != *own {
                 return false;
             }
@@ -98,36 +136,48 @@ impl Image {
 
     /// The degree; none for 0.
     pub(super) fn degree(&self) -> Option<usize> {
-        self.0.len().checked_sub(1)
+        self.coefficients.len().checked_sub(1)
     }
 
-    /// The greatest common divisor up to a constant factor, by cross-multiplied remainders
-    /// lc(b) a − lc(a) xᵏ b: no inverses.
+    /// The greatest common divisor up to a constant factor, see [`image_gcd`].
     pub(super) fn gcd(self, other: Self) -> Self {
-        let (mut high, mut low) = (self.0, other.0);
-        loop {
-            if high.len() < low.len() {
-                std::mem::swap(&mut high, &mut low);
-            }
-            let Some(&divisor) = low.last() else {
-                return Self(high);
-            };
-            if low.len() == 1 {
-                return Self(vec![Residue::ONE]);
-            }
-            let Some(lead) = high.pop() else {
-                return Self(low);
-            };
-            let offset = high.len() + 1 - low.len();
-            for own in &mut high[..offset] {
-                *own = *own * divisor;
-            }
-            for (own, subtrahend) in high[offset..].iter_mut().zip(&low) {
-                *own = *own * divisor - *subtrahend * lead;
-            }
-            while high.last() == Some(&Residue::ZERO) {
-                high.pop();
-            }
+        let modulus = self.modulus;
+        let coefficients = image_gcd(self.coefficients, other.coefficients, &modulus);
+        Self {
+            modulus,
+            coefficients,
+        }
+    }
+}
+
+/// The greatest common divisor of two polynomials over a prime field up to a constant factor, by
+/// cross-multiplied remainders lc(b) a − lc(a) xᵏ b: no inverses.
+pub(super) fn image_gcd(mut high: Vec<u64>, mut low: Vec<u64>, modulus: &Modulus) -> Vec<u64> {
+    loop {
+        if high.len() < low.len() {
+            std::mem::swap(&mut high, &mut low);
+        }
+        let Some(&divisor) = low.last() else {
+            return high;
+        };
+        if low.len() == 1 {
+            return vec![modulus.one()];
+        }
+        let Some(lead) = high.pop() else {
+            return low;
+        };
+        let offset = high.len() + 1 - low.len();
+        for own in &mut high[..offset] {
+            *own = modulus.times(*own, divisor);
+        }
+        for (own, subtrahend) in high[offset..].iter_mut().zip(&low) {
+            *own = modulus.minus(
+                modulus.times(*own, divisor),
+                modulus.times(*subtrahend, lead),
+            );
+        }
+        while high.last() == Some(&0) {
+            high.pop();
         }
     }
 }
@@ -137,7 +187,9 @@ mod tests {
     use super::*;
 
     fn image(coefficients: &[u64]) -> Image {
-        Image::new(coefficients.iter().copied().map(Residue::new).collect())
+        let modulus = Modulus::mersenne();
+        let coefficients = coefficients.iter().map(|own| modulus.embed(*own));
+        Image::new(coefficients.collect(), &modulus)
     }
 
     #[test]
@@ -163,16 +215,19 @@ mod tests {
         });
         let polynomial = BiPoly::from_rows(&rows);
         // up to the denominator that the image of a univariate polynomial leaves out
+        let modulus = Modulus::mersenne();
         let proportional = |left: &Image, right: &Image| {
-            let pairs = left.0.iter().zip(&right.0);
-            let [first, second] = [left, right].map(|own| own.0[0]);
-            left.0.len() == right.0.len()
-                && pairs.into_iter().all(|(l, r)| *l * second == *r * first)
+            let (left, right) = (&left.coefficients, &right.coefficients);
+            let same =
+                |(l, r): (&u64, &u64)| modulus.times(*l, right[0]) == modulus.times(*r, left[0]);
+            left.len() == right.len() && left.iter().zip(right).all(same)
         };
+        let place = Place::rational();
         let at = crate::number::Rational::from(7);
-        let in_v = Image::at_u(&polynomial, Residue::new(7)).zip(Image::of(&polynomial.at_u(&at)));
-        let in_u = Image::at_v(&polynomial, Residue::new(7)).zip(Image::of(&polynomial.at_v(&at)));
-        assert!(in_v.is_some_and(|(own, value)| proportional(&own, &value)));
-        assert!(in_u.is_some_and(|(own, value)| proportional(&own, &value)));
+        let in_v = Image::at_u(&polynomial, 7, &place);
+        let in_u = Image::at_v(&polynomial, 7, &place);
+        let (at_u, at_v) = (polynomial.at_u(&at), polynomial.at_v(&at));
+        assert!(in_v.is_some_and(|own| proportional(&own, &Image::of(&at_u, &place))));
+        assert!(in_u.is_some_and(|own| proportional(&own, &Image::of(&at_v, &place))));
     }
 }

@@ -1,6 +1,7 @@
 //! Greatest common divisors over the integers from images modulo many primes.
 
 use super::UniPoly;
+use super::image::image_gcd;
 use crate::number::{Field, Integer, Modulus, Ring};
 
 /// The primitive gcd of two primitive polynomials with rational integers for numerators; none
@@ -55,34 +56,6 @@ fn images(numerators: &[&Integer], modulus: &Modulus) -> Vec<u64> {
         .iter()
         .map(|own| modulus.embed_integer(own))
         .collect()
-}
-
-/// The gcd of two images up to a factor, by cross-multiplied remainders.
-fn image_gcd(mut high: Vec<u64>, mut low: Vec<u64>, modulus: &Modulus) -> Vec<u64> {
-    loop {
-        if high.len() < low.len() {
-            std::mem::swap(&mut high, &mut low);
-        }
-        let Some(&divisor) = low.last() else {
-            return high;
-        };
-        let Some(lead) = high.pop() else {
-            return low;
-        };
-        let offset = high.len() + 1 - low.len();
-        for own in &mut high[..offset] {
-            *own = modulus.times(*own, divisor);
-        }
-        for (own, subtrahend) in high[offset..].iter_mut().zip(&low) {
-            *own = modulus.minus(
-                modulus.times(*own, divisor),
-                modulus.times(*subtrahend, lead),
-            );
-        }
-        while high.last() == Some(&0) {
-            high.pop();
-        }
-    }
 }
 
 /// Integers known modulo a product of primes, each the one of least absolute value.

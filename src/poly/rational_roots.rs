@@ -1,5 +1,5 @@
 use super::UniPoly;
-use crate::number::{Field, Integer, Rational, Residue, Ring};
+use crate::number::{Field, Integer, Modulus, Rational, Ring};
 
 /// The roots of a square-free polynomial that are seen to lie in the field: the rational roots
 /// if its numerators are rational integers, and those of linear and quadratic polynomials.
@@ -139,15 +139,16 @@ fn symmetric(value: &Integer, modulus: &Integer) -> Integer {
 
 /// Whether Σ cₖ aᵏ bⁿ⁻ᵏ vanishes modulo 2⁶¹ − 1.
 fn vanishes_modulo(numerators: &[Integer], numerator: &Integer, denominator: &Integer) -> bool {
-    let at = Residue::of_integer(numerator);
-    let scale = Residue::of_integer(denominator);
-    let mut power = Residue::ONE;
-    let mut value = Residue::ZERO;
+    let modulus = Modulus::mersenne();
+    let [at, scale] = [numerator, denominator].map(|own| modulus.embed_integer(own));
+    let mut power = modulus.one();
+    let mut value = 0;
     for own in numerators.iter().rev() {
-        value = value * at + Residue::of_integer(own) * power;
-        power = power * scale;
+        let term = modulus.times(modulus.embed_integer(own), power);
+        value = modulus.plus(modulus.times(value, at), term);
+        power = modulus.times(power, scale);
     }
-    value == Residue::ZERO
+    value == 0
 }
 
 #[cfg(test)]

@@ -1,5 +1,5 @@
 use super::UniPoly;
-use super::image::Image;
+use super::image::{Image, place_of};
 use super::squarefree::odd_part;
 use crate::number::{Field, Integer, Ring};
 
@@ -48,28 +48,32 @@ pub fn square_test<F: Field>(polynomial: &UniPoly<F>) -> SquareTest<F> {
 pub(super) fn primitive_root<F: Field>(polynomial: &UniPoly<F>) -> Option<(F, UniPoly<F>)> {
     let degree = polynomial.degree()?;
     // An image that is no square up to a constant, and not 0, refutes p.
-    if degree % 2 == 1 || Image::of(polynomial).is_some_and(|image| !image.is_square()) {
+    if degree % 2 == 1 || is_refuted(polynomial) {
         return None;
     }
     let primitive = polynomial.primitive();
-    let root = if F::Ring::GAUSS {
-        ring_root(&primitive)?
+    let (root, square, same);
+    if primitive.is_rational() {
+        root = ring_root(&primitive)?;
+        square = &root * &root;
+        same = square == primitive;
     } else {
-        series_root(&primitive)?
-    };
-    let square = &root * &root;
-    let same = if F::Ring::GAUSS {
-        square == primitive
-    } else {
-        square.primitive() == primitive
-    };
+        root = series_root(&primitive)?;
+        square = &root * &root;
+        same = square.primitive() == primitive;
+    }
     let factor = polynomial
         .leading_coefficient()
         .times(&square.leading_coefficient().inverse()?);
     same.then_some((factor, root))
 }
 
-/// The candidate over a ring with Gauss's lemma. There the square of a primitive polynomial is
+/// Whether the image at a place is no square up to a constant.
+fn is_refuted<F: Field>(polynomial: &UniPoly<F>) -> bool {
+    place_of([polynomial]).is_some_and(|place| !Image::of(polynomial, &place).is_square())
+}
+
+/// The candidate over the rational integers. There the square of a primitive polynomial is
 /// primitive, so p = r² without a factor: lc(r) = √lc(p), and the next coefficients are
 /// (p₂ₙ₋ₖ − Σ rₙ₋ᵢ rₙ₋ₖ₊ᵢ) / 2 lc(r), all in the ring.
 fn ring_root<F: Field>(primitive: &UniPoly<F>) -> Option<UniPoly<F>> {

@@ -87,6 +87,12 @@ impl<F: Field> UniPoly<F> {
         self.numerators.len() <= 1
     }
 
+    /// Whether all coefficients are rational numbers.
+    #[must_use]
+    pub fn is_rational(&self) -> bool {
+        self.numerators.iter().all(|own| own.height() == 0)
+    }
+
     /// The numerators nᵢ, ascending.
     #[must_use]
     pub fn numerators(&self) -> &[F::Ring] {
@@ -221,7 +227,7 @@ impl<F: Field> UniPoly<F> {
     /// Over a field other than the rationals the leading coefficient is first made rational.
     #[must_use]
     pub fn primitive(&self) -> Self {
-        let base = if F::Ring::GAUSS {
+        let base = if self.leading_coefficient().is_rational() {
             self.clone()
         } else {
             self.monic()
@@ -296,7 +302,8 @@ impl<F: Field> UniPoly<F> {
         }
         match self.ring_quotient(divisor) {
             Some(quotient) => Some(quotient),
-            None if F::Ring::GAUSS => None,
+            // Gauss's lemma: over the integers there is no other road.
+            None if self.is_rational() && divisor.is_rational() => None,
             None => {
                 let (quotient, remainder) = self.div_rem(divisor)?;
                 remainder.is_zero().then_some(quotient)

@@ -2,7 +2,7 @@ use serde::Serialize;
 
 use crate::check::{AffineDegree, Checked, Judgement, Verdict};
 use crate::curve::Interval;
-use crate::number::{Field, Real, Unit};
+use crate::number::{Basis, Field, Real, Unit};
 use crate::poly::{BiDegree, BiPoly, Coprimality, UniPoly, ZeroKind, ZeroSet};
 
 /// The report of a file, as `report --format json` prints it.
@@ -11,7 +11,7 @@ pub struct Report {
     format: &'static str,
     /// The name of the file.
     pub file: String,
-    field: Vec<Generator>,
+    pub(super) field: Vec<Generator>,
     /// One report for each surface.
     pub surfaces: Vec<SurfaceReport>,
     /// The unit of length.
@@ -20,14 +20,28 @@ pub struct Report {
 }
 
 impl Report {
-    /// The report of a file's surfaces.
+    /// The report of a file's surfaces, each with its expectations and their lines.
     #[must_use]
-    pub fn new(file: String, unit: Unit, surfaces: Vec<SurfaceReport>) -> Self {
+    pub fn new(
+        file: String,
+        unit: Unit,
+        surfaces: &[(&Checked, Vec<(&Judgement, usize)>)],
+    ) -> Self {
+        let basis = surfaces
+            .iter()
+            .map(|(surface, _)| basis(surface))
+            .fold(Basis::default(), |all, own| all.union(&own));
+        let definitions = basis.definitions().into_iter();
         Self {
             format: "sweepc-report/1",
             file,
-            field: Vec::new(),
-            surfaces,
+            field: definitions
+                .map(|(name, square)| Generator { name, square })
+                .collect(),
+            surfaces: surfaces
+                .iter()
+                .map(|(surface, judgements)| SurfaceReport::of(surface, judgements, &basis))
+                .collect(),
             unit,
         }
     }
@@ -35,9 +49,26 @@ impl Report {
 
 /// A generator of the field: the positive root of its square.
 #[derive(Debug, Clone, Serialize)]
-struct Generator {
-    name: String,
-    square: String,
+pub(super) struct Generator {
+    pub(super) name: String,
+    pub(super) square: String,
+}
+
+/// The generators of the numbers that the report of a surface spells.
+fn basis(surface: &Checked) -> Basis {
+    let homogeneous = surface.surface().coordinates().iter();
+    let polynomials = homogeneous.chain(std::iter::once(&surface.expansion().common_factor));
+    let rows: Vec<UniPoly<Real>> = polynomials.flat_map(BiPoly::rows).collect();
+    let places = surface.poles().iter().chain(surface.singular());
+    let bounds = places.flat_map(|own| [&own.u.0, &own.u.1, &own.v.0, &own.v.1]);
+    let domain = surface.domain();
+    let ends = [&domain.u, &domain.v].map(|own| [own.start(), own.end()]);
+    let weights = surface.weights().map(|range| [&range.min, &range.max]);
+    let numbers = bounds
+        .chain(ends.into_iter().flatten())
+        .chain(weights.into_iter().flatten());
+    let coefficients = rows.iter().flat_map(UniPoly::numerators);
+    Basis::of(coefficients.chain(numbers.map(Real::numerator)))
 }
 
 /// The report of one surface. Bidegrees are `[u, v]`, null for the zero polynomial.
@@ -67,7 +98,7 @@ pub struct SurfaceReport {
 #[derive(Debug, Clone)]
 pub(super) struct Remarks {
     pub(super) common_factor: String,
-    pub(super) coprimality: &'static str,
+    pub(super) coprimality: String,
     pub(super) regular: Verdict,
     pub(super) rational_offset: Verdict,
     pub(super) weights: Option<(String, String)>,
@@ -165,9 +196,7 @@ pub(super) struct ExpectationReport {
 }
 
 impl SurfaceReport {
-    /// The report of a surface with its expectations, each with its line.
-    #[must_use]
-    pub fn of(surface: &Checked, judgements: &[(&Judgement, usize)]) -> Self {
+    fn of(surface: &Checked, judgements: &[(&Judgement, usize)], basis: &Basis) -> Self {
         let expansion = surface.expansion();
         let homogeneous = surface.surface();
         let degree = homogeneous.bidegree();
@@ -175,13 +204,18 @@ impl SurfaceReport {
         Self {
             name: surface.name().to_owned(),
             domain: DomainReport {
-                u: ends(&surface.domain().u),
-                v: ends(&surface.domain().v),
+                u: ends(&surface.domain().u, basis),
+                v: ends(&surface.domain().v, basis),
             },
-            homogeneous: Coordinates::of(homogeneous.coordinates().each_ref().map(polynomial)),
+            homogeneous: Coordinates::of(
+                homogeneous
+                    .coordinates()
+                    .each_ref()
+                    .map(|own| polynomial(own, basis)),
+            ),
             bound: Coordinates::of(expansion.bound.map(pair)),
             as_constructed: Coordinates::of(expansion.constructed.map(pair)),
-            common_factor: polynomial(&expansion.common_factor),
+            common_factor: polynomial(&expansion.common_factor, basis),
             affine: affine(surface.affine()),
             patch: PatchReport {
                 bidegree: [degree.u, degree.v],
@@ -190,11 +224,19 @@ impl SurfaceReport {
             },
             weights: WeightsReport {
                 positive: range.is_some_and(crate::check::WeightRange::is_positive),
-                min: range.map(|range| range.min.to_string()),
-                max: range.map(|range| range.max.to_string()),
+                min: range.map(|range| basis.spell(&range.min)),
+                max: range.map(|range| basis.spell(&range.max)),
             },
-            poles: surface.poles().iter().map(place).collect(),
-            singular: surface.singular().iter().map(place).collect(),
+            poles: surface
+                .poles()
+                .iter()
+                .map(|own| place(own, basis))
+                .collect(),
+            singular: surface
+                .singular()
+                .iter()
+                .map(|own| place(own, basis))
+                .collect(),
             regular: Decision::of(surface.regular()),
             rational_offset: Decision::of(surface.rational_offset()),
             expectations: judgements
@@ -211,9 +253,9 @@ fn remarks(surface: &Checked) -> Remarks {
     Remarks {
         common_factor: expansion.common_factor.to_string(),
         coprimality: match expansion.coprimality {
-            Some(Coprimality::Modular) => "coprime, proved modulo 2^61 - 1",
-            Some(Coprimality::Euclid) => "coprime, proved by exact division",
-            None => "coprimality not certified",
+            Some(Coprimality::Modular(prime)) => format!("coprime, proved modulo {}", prime.name()),
+            Some(Coprimality::Euclid) => "coprime, proved by exact division".to_owned(),
+            None => "coprimality not certified".to_owned(),
         },
         regular: surface.regular().clone(),
         rational_offset: surface.rational_offset().clone(),
@@ -238,16 +280,16 @@ fn pair(degree: Option<BiDegree>) -> Option<[usize; 2]> {
     degree.map(|BiDegree { u, v }| [u, v])
 }
 
-fn ends(interval: &Interval) -> [String; 2] {
-    [interval.start().to_string(), interval.end().to_string()]
+fn ends(interval: &Interval, basis: &Basis) -> [String; 2] {
+    [interval.start(), interval.end()].map(|end| basis.spell(end))
 }
 
-fn polynomial(polynomial: &BiPoly<Real>) -> PolynomialReport {
+fn polynomial(polynomial: &BiPoly<Real>, basis: &Basis) -> PolynomialReport {
     let mut terms = Vec::new();
     for (u, row) in polynomial.rows().iter().enumerate() {
         for (v, coefficient) in UniPoly::coefficients(row).iter().enumerate() {
             if !coefficient.is_zero() {
-                terms.push((u, v, coefficient.to_string()));
+                terms.push((u, v, basis.spell(coefficient)));
             }
         }
     }
@@ -269,8 +311,8 @@ fn affine([x, y, z]: &[AffineDegree; 3]) -> AffineReport {
     }
 }
 
-fn place(zeros: &ZeroSet<Real>) -> PlaceReport {
-    let bounds = |(lower, upper): &(Real, Real)| [lower.to_string(), upper.to_string()];
+fn place(zeros: &ZeroSet<Real>, basis: &Basis) -> PlaceReport {
+    let bounds = |(lower, upper): &(Real, Real)| [lower, upper].map(|own| basis.spell(own));
     PlaceReport {
         kind: match zeros.kind {
             ZeroKind::LineU => "u",

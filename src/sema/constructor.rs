@@ -1,7 +1,7 @@
 use crate::curve::kinds::{self, Arguments, Kind, Shape, Slot};
 use crate::diag::{Code, Span};
 use crate::number::Real;
-use crate::syntax::ast::{Argument, Expr, ExprKind, Name};
+use crate::syntax::ast::{Argument, Expr, ExprKind, Name, Reference};
 
 use super::lowerer::{Lowered, Lowerer, Reported};
 use super::scope::Scope;
@@ -88,6 +88,7 @@ impl<'a> Lowerer<'a> {
 
     fn shaped(&mut self, kind: &Kind, slot: &Slot, expr: &'a Expr) -> Lowered<kinds::Value> {
         match slot.shape {
+            Shape::Word => Ok(kinds::Value::Word(self.word(kind, expr)?)),
             Shape::Number => Ok(kinds::Value::Number(self.constant_number(expr)?)),
             Shape::Point => Ok(kinds::Value::Point(self.constant_point(expr)?)),
             Shape::Points | Shape::Pairs => {
@@ -121,6 +122,20 @@ impl<'a> Lowerer<'a> {
                     numbers.collect::<Lowered<Vec<Real>>>()?,
                 ))
             }
+        }
+    }
+
+    /// A bare word or a string.
+    fn word(&mut self, kind: &Kind, expr: &'a Expr) -> Lowered<String> {
+        match &expr.kind {
+            ExprKind::Text(text) => Ok(text.clone()),
+            ExprKind::Reference(Reference {
+                qualifier: None,
+                name,
+                primes: 0,
+                ..
+            }) => Ok(name.text.clone()),
+            _ => Err(self.report_usage(kind, expr.span, "a word or a string is needed")),
         }
     }
 

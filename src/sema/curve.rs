@@ -1,5 +1,6 @@
 use std::rc::Rc;
 
+use crate::curve::kinds::{Arguments, BuildFault, Coordinates, Kind, Setting};
 use crate::curve::{self, Axis, Curve, Homogeneous, Parameter};
 use crate::diag::{Code, Diagnostic, Span};
 use crate::number::Real;
@@ -7,7 +8,7 @@ use crate::sweep::{Domain, Expanded, Expander, Scalar};
 use crate::syntax::ast::{Argument, Expr, ExprKind, Interval, Name, Plane, Role};
 
 use super::definition::{Definition, DefinitionForm};
-use super::lowerer::{Lowered, Lowerer, parameter_of};
+use super::lowerer::{Lowered, Lowerer, Reported, parameter_of};
 use super::scope::Scope;
 use super::value::Value;
 
@@ -22,7 +23,7 @@ impl<'a> Lowerer<'a> {
             value,
         } = definition.form
         else {
-            return Err(super::lowerer::Reported);
+            return Err(Reported);
         };
         let parameter = self.curve_parameter(role, parameter)?;
         let domain = match domain {
@@ -34,15 +35,21 @@ impl<'a> Lowerer<'a> {
             Plane::Xz => curve::Plane::Xz,
             Plane::Yz => curve::Plane::Yz,
         });
-        let position = match self.constructor_call(value) {
-            Some((name, arguments, parenthesis)) => {
-                self.constructed(name, arguments, parenthesis, plane, &domain, value.span)?
-            }
-            None => self.explicit(value, parameter, plane, &domain)?,
-        };
         let name = definition.name;
+        let (position, preimage, interpolant) = match self.constructor_call(value) {
+            Some((constructor, arguments, parenthesis)) => {
+                let kind = self.constructor(constructor).ok_or(Reported)?;
+                let values = self.constructor_arguments(kind, arguments, parenthesis)?;
+                let coordinates = self.constructed(kind, &values, &domain, value.span)?;
+                let position = self.placed(&coordinates, plane, value.span)?;
+                (position, coordinates.preimage, coordinates.interpolant)
+            }
+            None => (self.explicit(value, parameter, plane, &domain)?, None, None),
+        };
         self.check_common_zero(name, parameter, &domain, &position);
-        let curve = Curve::new(name.text.clone(), plane, parameter, domain, position);
+        let tower = self.tower.clone();
+        let curve = Curve::new(name.text.clone(), plane, parameter, domain, position, tower)
+            .built(preimage, interpolant);
         if curve.hodograph().is_zero() {
             let fault = curve::Fault::NoMotion;
             let finding = Diagnostic::new(fault.code(), name.span, fault.message(&name.text));
@@ -112,24 +119,43 @@ impl<'a> Lowerer<'a> {
         ))
     }
 
+    /// The coordinates that a constructor gives.
     fn constructed(
         &mut self,
-        name: &Name,
-        arguments: &'a [Argument],
-        parenthesis: Span,
-        plane: Option<curve::Plane>,
+        kind: &Kind,
+        arguments: &Arguments,
         domain: &curve::Interval,
         span: Span,
-    ) -> Lowered<Homogeneous> {
-        let Some(kind) = self.constructor(name) else {
-            return Err(super::lowerer::Reported);
+    ) -> Lowered<Coordinates> {
+        let setting = Setting {
+            domain,
+            tower: &self.tower,
         };
-        let values = self.constructor_arguments(kind, arguments, parenthesis)?;
-        let coordinates = (kind.build)(&values, domain).map_err(|what| {
-            self.report(
-                Diagnostic::new(Code::E0208, span, what).help(format!("write {}", kind.usage)),
-            )
-        })?;
+        (kind.build)(arguments, &setting).map_err(|fault| {
+            let finding = match fault {
+                BuildFault::Malformed(what) => {
+                    Diagnostic::new(Code::E0208, span, what).help(format!("write {}", kind.usage))
+                }
+                BuildFault::FieldDegree => {
+                    let limit = self.sources.limits.field_degree;
+                    let message = format!(
+                        "this curve would make the degree of the number field greater than {limit}"
+                    );
+                    Diagnostic::new(Code::E0509, span, message)
+                        .help("raise the limit with `--max-field-degree`")
+                }
+            };
+            self.report(finding)
+        })
+    }
+
+    /// The coordinates in space.
+    fn placed(
+        &mut self,
+        coordinates: &Coordinates,
+        plane: Option<curve::Plane>,
+        span: Span,
+    ) -> Lowered<Homogeneous> {
         let pairs = coordinates.numerators.len() == 2;
         match coordinates.in_space(plane) {
             Some(position) => Ok(position),
@@ -137,7 +163,7 @@ impl<'a> Lowerer<'a> {
         }
     }
 
-    fn report_plane(&mut self, pairs: bool, span: Span) -> super::lowerer::Reported {
+    fn report_plane(&mut self, pairs: bool, span: Span) -> Reported {
         let finding = if pairs {
             Diagnostic::new(Code::E0208, span, "a curve given by pairs needs its plane")
                 .help("write `in xy`, `in xz` or `in yz` before the `=`")
@@ -205,7 +231,7 @@ impl<'a> Lowerer<'a> {
                 return Err(self.report(Diagnostic::new(Code::E0106, value.span, message)));
             }
         };
-        Homogeneous::from_fractions(&fractions, parameter).ok_or(super::lowerer::Reported)
+        Homogeneous::from_fractions(&fractions, parameter).ok_or(Reported)
     }
 
     fn expand_on(
@@ -220,7 +246,7 @@ impl<'a> Lowerer<'a> {
             Parameter::V => rectangle.v = domain.clone(),
         }
         let limits = self.sources.limits;
-        let mut expander = Expander::new(&rectangle, limits);
+        let mut expander = Expander::new(&rectangle, &self.tower, limits);
         let expand = |own: &Scalar| expander.expand(own);
         let expanded: Result<Vec<_>, _> = value.components().iter().map(expand).collect();
         expanded.map_err(|finding| self.report(*finding))

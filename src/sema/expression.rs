@@ -105,7 +105,7 @@ impl<'a> Lowerer<'a> {
         }
         let domain = Domain::unit();
         let limits = self.sources.limits;
-        match Expander::new(&domain, limits).constant(scalar) {
+        match Expander::new(&domain, &self.tower, limits).constant(scalar) {
             Ok(Some(number)) => Ok(number),
             Ok(None) => {
                 let finding = self.finding(

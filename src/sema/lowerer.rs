@@ -3,7 +3,7 @@ use std::rc::Rc;
 
 use crate::curve::{Curve, Parameter};
 use crate::diag::{Code, Diagnostic, Diagnostics, FileId, Limits, SourceMap, Span};
-use crate::number::{Real, Unit};
+use crate::number::{Real, Tower, Unit};
 use crate::sweep::SweptSurface;
 use crate::syntax::ast::{Declaration, Document, Expr, Item, Name, Role};
 
@@ -65,6 +65,8 @@ pub(super) enum Meaning {
 /// The work of [`lower`]: definitions by name, and their meanings as far as they are known.
 pub(super) struct Lowerer<'a> {
     pub(super) sources: &'a Sources<'a>,
+    /// The field of all numbers, which grows as they need it.
+    pub(super) tower: Tower,
     pub(super) definitions: HashMap<&'a str, Definition<'a>>,
     pub(super) meanings: HashMap<&'a str, Meaning>,
     /// Names that are being worked out, outermost first.
@@ -84,6 +86,7 @@ impl<'a> Lowerer<'a> {
     fn new(sources: &'a Sources<'a>) -> Self {
         Self {
             sources,
+            tower: Tower::new(sources.limits.field_degree),
             definitions: HashMap::new(),
             meanings: HashMap::new(),
             pending: Vec::new(),
@@ -223,6 +226,7 @@ impl<'a> Lowerer<'a> {
         };
         let mut program = Program {
             unit: self.unit(),
+            tower: self.tower.clone(),
             ..Program::default()
         };
         self.check_every_definition();

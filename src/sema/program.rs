@@ -1,4 +1,4 @@
-use crate::number::Unit;
+use crate::number::{Tower, Unit};
 use crate::sweep::{Expectation, SweptSurface};
 
 /// What a file asks for: surfaces, and claims about them.
@@ -6,6 +6,8 @@ use crate::sweep::{Expectation, SweptSurface};
 pub struct Program {
     /// The length unit.
     pub unit: Unit,
+    /// The field of all numbers.
+    pub tower: Tower,
     /// The surfaces of the root file, in the order of the text. Those with errors are missing.
     pub surfaces: Vec<SweptSurface>,
     /// The expectations of the root file.

@@ -60,6 +60,7 @@ impl<'a> Lowerer<'a> {
             span: name.span,
             domain,
             coordinates,
+            tower: self.tower.clone(),
         })
     }
 

@@ -5,7 +5,7 @@
 //! serves to check the fast road in tests, and is no part of the compiler.
 
 use crate::curve::{Axis, Curve, Parameter, Property};
-use crate::number::{Field, Real};
+use crate::number::{Field, Real, Tower};
 use crate::poly::UniPoly;
 
 use super::{CurveProperty, Form, Scalar, Vector};
@@ -13,8 +13,13 @@ use super::{CurveProperty, Form, Scalar, Vector};
 /// The point of a surface at (u, v); none where the formula divides by zero there, takes the
 /// root of a number that is not a square, or meets a cusp.
 #[must_use]
-pub fn evaluate_slowly(coordinates: &Vector, u: &Real, v: &Real) -> Option<[Real; 3]> {
-    let at = |own: &Scalar| Some(jet(own, u, v, 0)?.value().clone());
+pub fn evaluate_slowly(
+    coordinates: &Vector,
+    u: &Real,
+    v: &Real,
+    tower: &Tower,
+) -> Option<[Real; 3]> {
+    let at = |own: &Scalar| Some(jet(own, u, v, 0, tower)?.value().clone());
     let [x, y, z] = coordinates;
     Some([at(x)?, at(y)?, at(z)?])
 }
@@ -113,8 +118,8 @@ impl Jet {
     }
 
     /// √(a + h) = √a Σ binomial(1/2, k) (h/a)ᵏ
-    fn square_root(&self) -> Option<Self> {
-        let root = self.value().square_root()?;
+    fn square_root(&self, tower: &Tower) -> Option<Self> {
+        let root = tower.root_in_field(self.value())?;
         if self.order == 0 {
             return Some(Self::constant(0, &root));
         }
@@ -160,8 +165,8 @@ impl Jet {
     }
 }
 
-fn jet(expression: &Scalar, u: &Real, v: &Real, order: usize) -> Option<Jet> {
-    let inner = |part: &Scalar| jet(part, u, v, order);
+fn jet(expression: &Scalar, u: &Real, v: &Real, order: usize, tower: &Tower) -> Option<Jet> {
+    let inner = |part: &Scalar| jet(part, u, v, order, tower);
     match expression.form() {
         Form::Constant(value) => Some(Jet::constant(order, value)),
         Form::Parameter(Parameter::U) => Some(Jet::variable(order, Parameter::U, u)),
@@ -182,17 +187,19 @@ fn jet(expression: &Scalar, u: &Real, v: &Real, order: usize) -> Option<Jet> {
         }
         Form::Property(of, argument) => {
             let argument = inner(argument)?;
-            let taylor = taylor(of, argument.value(), order)?;
+            let taylor = taylor(of, argument.value(), order, tower)?;
             Some(argument.series(&taylor))
         }
-        Form::Partial(parameter, body) => Some(jet(body, u, v, order + 1)?.derivative(*parameter)),
+        Form::Partial(parameter, body) => {
+            Some(jet(body, u, v, order + 1, tower)?.derivative(*parameter))
+        }
         Form::Substitution {
             body,
             u: to_u,
             v: to_v,
         } => {
             let (to_u, to_v) = (inner(to_u)?, inner(to_v)?);
-            let outer = jet(body, to_u.value(), to_v.value(), order)?;
+            let outer = jet(body, to_u.value(), to_v.value(), order, tower)?;
             let rows: Vec<Jet> = outer.rows.iter().map(|row| to_v.series(row)).collect();
             let step = to_u.nilpotent();
             Some(
@@ -201,14 +208,22 @@ fn jet(expression: &Scalar, u: &Real, v: &Real, order: usize) -> Option<Jet> {
                     .fold(Jet::zero(order), |value, row| value.times(&step).plus(row)),
             )
         }
-        Form::SquareRoot(body) => inner(body)?.square_root(),
+        Form::SquareRoot(body) => inner(body)?.square_root(tower),
         Form::OnDomain(body, _) => inner(body),
-        Form::Normal(surface, axis) => normal(surface, *axis, u, v, order),
+        Form::Normal(surface, axis) => normal(surface, *axis, (u, v), order, tower),
     }
 }
 
-fn normal(surface: &Vector, axis: Axis, u: &Real, v: &Real, order: usize) -> Option<Jet> {
-    let [x, y, z] = surface.each_ref().map(|own| jet(own, u, v, order + 1));
+fn normal(
+    surface: &Vector,
+    axis: Axis,
+    (u, v): (&Real, &Real),
+    order: usize,
+    tower: &Tower,
+) -> Option<Jet> {
+    let [x, y, z] = surface
+        .each_ref()
+        .map(|own| jet(own, u, v, order + 1, tower));
     let point = [x?, y?, z?];
     let along = |parameter| point.each_ref().map(|own| own.derivative(parameter));
     let (in_u, in_v) = (along(Parameter::U), along(Parameter::V));
@@ -221,27 +236,33 @@ fn normal(surface: &Vector, axis: Axis, u: &Real, v: &Real, order: usize) -> Opt
     let squared = cross
         .iter()
         .fold(Jet::zero(order), |sum, own| sum.plus(&own.times(own)));
-    Some(cross[axis.index()].times(&squared.square_root()?.inverse()?))
+    Some(cross[axis.index()].times(&squared.square_root(tower)?.inverse()?))
 }
 
 /// The Taylor coefficients of a property at a parameter, up to the order.
-fn taylor(of: &CurveProperty, at: &Real, order: usize) -> Option<Vec<Real>> {
+fn taylor(of: &CurveProperty, at: &Real, order: usize, tower: &Tower) -> Option<Vec<Real>> {
     let extra = usize::try_from(of.derivative).ok()?;
-    let mut jet = property(&of.curve, of.property, at, order + extra)?;
+    let mut jet = property(&of.curve, of.property, at, order + extra, tower)?;
     for _ in 0..extra {
         jet = jet.derivative(Parameter::U);
     }
     Some(jet.column())
 }
 
-fn property(curve: &Curve, property: Property, at: &Real, order: usize) -> Option<Jet> {
+fn property(
+    curve: &Curve,
+    property: Property,
+    at: &Real,
+    order: usize,
+    tower: &Tower,
+) -> Option<Jet> {
     let position = position(curve, at, order + 2)?;
     let slope = position.each_ref().map(|own| own.derivative(Parameter::U));
     let bend = slope.each_ref().map(|own| own.derivative(Parameter::U));
     let squared = slope
         .iter()
         .fold(Jet::zero(order + 1), |sum, own| sum.plus(&own.times(own)));
-    let speed = || squared.truncate(order).square_root();
+    let speed = || squared.truncate(order).square_root(tower);
     let plane = || {
         let (first, second) = curve.plane()?.axes();
         Some((first, second, &slope[first.index()], &slope[second.index()]))
@@ -261,7 +282,7 @@ fn property(curve: &Curve, property: Property, at: &Real, order: usize) -> Optio
         Property::Hodograph(axis) => Some(slope[axis.index()].truncate(order)),
         Property::Speed => speed(),
         Property::ArcLength => {
-            let mut length = Jet::constant(order, &arc_length(curve, at)?);
+            let mut length = Jet::constant(order, &arc_length(curve, at, tower)?);
             for (power, own) in speed()?.column().iter().enumerate().take(order) {
                 let divisor = Real::from(i64::try_from(power + 1).ok()?);
                 length.rows[power + 1][0] = own / &divisor;
@@ -312,7 +333,7 @@ fn position(curve: &Curve, at: &Real, order: usize) -> Option<[Jet; 3]> {
 
 /// The arc length of a polynomial curve by integrating the polynomial through values of σ; that
 /// of a rational curve is taken from the curve.
-fn arc_length(curve: &Curve, at: &Real) -> Option<Real> {
+fn arc_length(curve: &Curve, at: &Real, tower: &Tower) -> Option<Real> {
     if !curve.position().is_polynomial() {
         return curve.property(Property::ArcLength).ok()?.evaluate(at);
     }
@@ -321,7 +342,9 @@ fn arc_length(curve: &Curve, at: &Real) -> Option<Real> {
     let mut nodes = UniPoly::one();
     for index in 0..count {
         let node = curve.domain().fraction(index, count);
-        let value = property(curve, Property::Speed, &node, 0)?.value().clone();
+        let value = property(curve, Property::Speed, &node, 0, tower)?
+            .value()
+            .clone();
         let rest = &value - &through.evaluate(&node);
         through = &through + &nodes.scale(&(&rest / &nodes.evaluate(&node)));
         nodes = &nodes * &(&UniPoly::variable() - &UniPoly::constant(&node));

@@ -2,7 +2,7 @@ use std::collections::HashMap;
 
 use crate::curve::{Fault, Parameter, PropertyFunction};
 use crate::diag::{Code, Diagnostic, Limits};
-use crate::number::{Field, Real};
+use crate::number::{Field, Real, Tower};
 use crate::poly::{BiPoly, Fraction};
 
 use super::bound::predicted_degree;
@@ -16,6 +16,7 @@ use super::{CurveProperty, Domain, Form, NormalFault, Scalar, Vector, unit_norma
 #[derive(Debug)]
 pub struct Expander<'a> {
     domain: &'a Domain,
+    tower: &'a Tower,
     limits: &'a Limits,
     /// The expression is kept beside its expansion, so that its identity stays its own.
     expanded: HashMap<usize, (Scalar, Fraction<Real>)>,
@@ -28,10 +29,12 @@ type Found<T> = Result<T, Box<Diagnostic>>;
 
 impl<'a> Expander<'a> {
     /// An expander for expressions that are used on a domain; it matters for the sign of roots.
+    /// The tower grows where a square root of a number needs it.
     #[must_use]
-    pub fn new(domain: &'a Domain, limits: &'a Limits) -> Self {
+    pub fn new(domain: &'a Domain, tower: &'a Tower, limits: &'a Limits) -> Self {
         Self {
             domain,
+            tower,
             limits,
             expanded: HashMap::new(),
         }
@@ -41,9 +44,10 @@ impl<'a> Expander<'a> {
     ///
     /// # Errors
     ///
-    /// Division by zero (E0207), a square root that is not rational (E0209, E0210), a normal
-    /// that is not (E0307), a property that a curve does not have (E02xx), and the limits on
-    /// degree and number of terms (E0505), which are checked before anything is multiplied.
+    /// Division by zero (E0207), a square root that is not rational (E0210), a normal
+    /// that is not (E0307), a property that a curve does not have (E02xx), and the limits: on
+    /// degree and number of terms (E0505), which are checked before anything is multiplied, and
+    /// on the degree of the field (E0509).
     pub fn expand(&mut self, expression: &Scalar) -> Found<Fraction<Real>> {
         self.check_size(expression)?;
         self.fraction(expression)
@@ -125,7 +129,9 @@ impl<'a> Expander<'a> {
             Form::Partial(Parameter::U, body) => Ok(self.fraction(body)?.derivative_u()),
             Form::Partial(Parameter::V, body) => Ok(self.fraction(body)?.derivative_v()),
             Form::OnDomain(body, domain) if **domain == *self.domain => self.fraction(body),
-            Form::OnDomain(body, domain) => Expander::new(domain, self.limits).fraction(body),
+            Form::OnDomain(body, domain) => {
+                Expander::new(domain, self.tower, self.limits).fraction(body)
+            }
             Form::Substitution { body, .. } if body.is_rooted() => {
                 Err(Box::new(undecided_sign(expression)))
             }
@@ -137,11 +143,11 @@ impl<'a> Expander<'a> {
             }
             Form::SquareRoot(body) => {
                 let radicand = self.fraction(body)?;
-                square_root(&radicand, self.domain, expression.span())
+                square_root(&radicand, self.domain, self.tower, expression.span())
             }
             Form::Normal(surface, axis) => {
                 let expanded = self.expand_vector(surface)?;
-                let normal = unit_normal(&expanded, self.domain)
+                let normal = unit_normal(&expanded, self.domain, self.tower)
                     .map_err(|fault| normal_finding(&fault, expression))?;
                 Ok(normal[axis.index()].clone())
             }
@@ -225,10 +231,7 @@ fn division_by_zero(expression: &Scalar) -> Box<Diagnostic> {
 }
 
 fn normal_finding(fault: &NormalFault, expression: &Scalar) -> Box<Diagnostic> {
-    Box::new(
-        Diagnostic::new(Code::E0307, expression.span(), fault.message())
-            .help("the offset of this surface is not a rational surface in these parameters"),
-    )
+    Box::new(Diagnostic::new(fault.code(), expression.span(), fault.message()).help(fault.help()))
 }
 
 fn curve_finding(fault: &Fault, of: &CurveProperty, expression: &Scalar) -> Box<Diagnostic> {

@@ -1,4 +1,5 @@
-use crate::number::{Field, Real};
+use crate::diag::Code;
+use crate::number::{Field, Real, Tower};
 use crate::poly::{BiPoly, BiSquareTest, Fraction, square_test_bi};
 
 use super::{Domain, HomogeneousSurface};
@@ -13,8 +14,9 @@ pub enum NormalFault {
         /// The factor that stands in the way.
         reason: String,
     },
-    /// ‖R_u × R_v‖ = √c · (rational function) with √c outside the field.
-    Irrational {
+    /// ‖R_u × R_v‖ = √c · (rational function), and √c would extend the field beyond the limit on
+    /// its degree.
+    FieldDegree {
         /// c
         radicand: Real,
     },
@@ -29,11 +31,31 @@ impl NormalFault {
             Self::NotRational { reason } => {
                 format!("the unit normal of this surface is not rational: {reason}")
             }
-            Self::Irrational { radicand } => {
+            Self::FieldDegree { radicand } => {
                 format!(
-                    "the unit normal of this surface needs √({radicand}), which is not a rational number"
+                    "the unit normal of this surface needs √({radicand}): the field grows beyond the limit on its degree"
                 )
             }
+        }
+    }
+
+    /// The code of the rule that is broken.
+    #[must_use]
+    pub fn code(&self) -> Code {
+        match self {
+            Self::NotSurface | Self::NotRational { .. } => Code::E0307,
+            Self::FieldDegree { .. } => Code::E0509,
+        }
+    }
+
+    /// What to do about it, or what follows.
+    #[must_use]
+    pub fn help(&self) -> &'static str {
+        match self {
+            Self::NotSurface | Self::NotRational { .. } => {
+                "the offset of this surface is not a rational surface in these parameters"
+            }
+            Self::FieldDegree { .. } => "raise the limit with `--max-field-degree`",
         }
     }
 }
@@ -66,6 +88,7 @@ pub fn normal_direction(surface: &HomogeneousSurface) -> [BiPoly<Real>; 3] {
 pub fn unit_normal(
     surface: &[Fraction<Real>; 3],
     domain: &Domain,
+    tower: &Tower,
 ) -> Result<[Fraction<Real>; 3], NormalFault> {
     let surface = HomogeneousSurface::of(surface, domain).surface;
     let direction = normal_direction(&surface);
@@ -79,9 +102,9 @@ pub fn unit_normal(
         BiSquareTest::Square { factor, root } => (factor, root),
         BiSquareTest::NotSquare { reason } => return Err(NormalFault::NotRational { reason }),
     };
-    let scale = factor
-        .square_root()
-        .ok_or(NormalFault::Irrational { radicand: factor })?;
+    let scale = tower
+        .square_root(&factor)
+        .map_err(|_| NormalFault::FieldDegree { radicand: factor })?;
     let over = &root.scale(&scale) * surface.weight();
     let root = if starts_negative(&over, domain) {
         -&root

@@ -1,6 +1,6 @@
 use crate::curve::Interval;
 use crate::diag::{Code, Diagnostic, Span};
-use crate::number::{Field, Real};
+use crate::number::{Field, Real, RootFault, Tower};
 use crate::poly::{
     BiPoly, BiSquareTest, Denominator, Fraction, SquareTest, UniPoly, ZeroKind, ZeroSet, Zeros,
     sign_change, square_test, square_test_bi, zeros_by_subdivision,
@@ -11,15 +11,16 @@ use super::Domain;
 /// The square root of a rational function that is a square, not negative on the domain.
 ///
 /// The function is first brought to lowest terms; then numerator and denominator are squares up
-/// to constants whose quotient is a square in the field.
+/// to constants; the field grows by the square root of their quotient if it does not hold it.
 ///
 /// # Errors
 ///
-/// E0209 where only the square root of a number is missing in the field, E0210 where the function
-/// is not a square or the root changes sign on the domain.
+/// E0210 where the function is not a square or the root changes sign on the domain, E0509 where
+/// the field would grow beyond the limit on its degree.
 pub(super) fn square_root(
     radicand: &Fraction<Real>,
     domain: &Domain,
+    tower: &Tower,
     span: Span,
 ) -> Result<Fraction<Real>, Box<Diagnostic>> {
     let reduced = radicand.reduce();
@@ -45,9 +46,9 @@ pub(super) fn square_root(
         .inverse()
         .map(|inverse| scale.times(&top_factor).times(&inverse));
     let constant = constant.unwrap_or_else(Real::zero);
-    let Some(root) = constant.square_root() else {
-        return Err(Box::new(irrational(&constant, span)));
-    };
+    let root = tower
+        .square_root(&constant)
+        .map_err(|fault| Box::new(no_root(&constant, &fault, span)))?;
     let changes = [&top, &bottom]
         .into_iter()
         .find_map(|part| part.change_of_sign(domain));
@@ -65,18 +66,21 @@ pub(super) fn square_root(
     })
 }
 
-/// The finding for a number whose square root the field does not hold.
-fn irrational(radicand: &Real, span: Span) -> Diagnostic {
-    if radicand.sign().is_lt() {
-        return Diagnostic::new(Code::E0210, span, "the square root of a negative number")
-            .note(format!("the number is {radicand}"));
+/// The finding for a number without a square root in the field.
+fn no_root(radicand: &Real, fault: &RootFault, span: Span) -> Diagnostic {
+    match fault {
+        RootFault::Negative => {
+            Diagnostic::new(Code::E0210, span, "the square root of a negative number")
+                .note(format!("the number is {radicand}"))
+        }
+        RootFault::DegreeLimit { limit } => {
+            let message = format!(
+                "√({radicand}) would make the degree of the number field greater than {limit}"
+            );
+            Diagnostic::new(Code::E0509, span, message)
+                .help("raise the limit with `--max-field-degree`")
+        }
     }
-    Diagnostic::new(
-        Code::E0209,
-        span,
-        format!("√({radicand}) is not a rational number"),
-    )
-    .help("this version computes over the rational numbers")
 }
 
 /// Pieces into which the domain is cut at most to find a change of sign.

@@ -2,7 +2,7 @@ use std::rc::Rc;
 
 use crate::curve::Interval;
 use crate::diag::{Diagnostic, Limits, Span};
-use crate::number::{Field, Integer, Real, Ring, gcd, lcm};
+use crate::number::{Field, Integer, Place, Real, Ring, Tower, gcd, lcm};
 use crate::poly::{
     BiDegree, BiPoly, Coprimality, Denominator, Fraction, UniPoly, certify_coprime, exact_div_bi,
     gcd as gcd_uni, gcd_bi,
@@ -41,6 +41,8 @@ pub struct SweptSurface {
     pub domain: Domain,
     /// x, y, z
     pub coordinates: Vector,
+    /// The field of its numbers.
+    pub tower: Tower,
 }
 
 impl SweptSurface {
@@ -160,7 +162,7 @@ impl Expansion {
     ///
     /// The findings of [`Expander::expand`].
     pub fn of(surface: &SweptSurface, limits: &Limits) -> Result<Self, Box<Diagnostic>> {
-        let mut expander = Expander::new(&surface.domain, limits);
+        let mut expander = Expander::new(&surface.domain, &surface.tower, limits);
         let fractions = expander.expand_vector(&surface.coordinates)?;
         let reduction = HomogeneousSurface::of(&fractions, &surface.domain);
         Ok(Self {
@@ -239,11 +241,13 @@ impl CommonFactor {
         let [weight, rest @ ..] = reduced;
         let (_, weight) = Denominator::split(weight)?;
         let rest: Vec<&BiPoly<Real>> = rest.iter().filter(|own| !own.is_zero()).collect();
+        // A constant needs no certificate.
         let along = |own: &UniPoly<Real>, slices: Vec<UniPoly<Real>>| {
             if own.is_constant() {
-                return Some(Coprimality::Modular);
+                return Some(None);
             }
-            certify_coprime(&std::iter::once(own).chain(&slices).collect::<Vec<_>>())
+            let list: Vec<_> = std::iter::once(own).chain(&slices).collect();
+            certify_coprime(&list).map(Some)
         };
         let in_u = along(
             weight.in_u(),
@@ -261,12 +265,17 @@ impl CommonFactor {
             }
         });
         mixed.as_constant()?;
-        let modular = weight.is_separable()
-            && matches!((&in_u, &in_v), (Coprimality::Modular, Coprimality::Modular));
-        Some(if modular {
-            Coprimality::Modular
-        } else {
+        let certificates = [in_u, in_v];
+        let divided = certificates.contains(&Some(Coprimality::Euclid));
+        let rational = Coprimality::Modular(*Place::rational().modulus());
+        Some(if divided || !weight.is_separable() {
             Coprimality::Euclid
+        } else {
+            certificates
+                .into_iter()
+                .flatten()
+                .next()
+                .unwrap_or(rational)
         })
     }
 }

@@ -1,27 +1,33 @@
 //! The curve constructors of the language. A new kind is one file and one line in [`ALL`].
 
+mod arc;
 mod bezier;
 mod line;
 mod ph;
+mod ph_hermite;
 
-use crate::number::Real;
+use crate::number::{Real, RootFault, Tower};
 use crate::poly::UniPoly;
 
-use super::{Interval, Plane};
+use super::{Interpolant, Interval, Plane, Preimage};
 
 /// The constructors.
-pub const ALL: &[Kind] = &[bezier::KIND, line::KIND, ph::KIND];
+pub const ALL: &[Kind] = &[
+    arc::KIND,
+    bezier::KIND,
+    line::KIND,
+    ph::KIND,
+    ph_hermite::KIND,
+];
 
 /// Names of constructors that the language keeps for later versions.
 pub const RESERVED: &[&str] = &[
-    "arc",
     "bspline",
     "circle",
     "envelope",
     "join",
     "motion",
     "ph3",
-    "ph_hermite",
     "ph_spline",
     "re_hermite",
     "rrmf",
@@ -38,7 +44,40 @@ pub struct Kind {
     /// The arguments, in order.
     pub slots: &'static [Slot],
     /// Builds the coordinates.
-    pub build: fn(&Arguments, &Interval) -> Result<Coordinates, String>,
+    pub build: fn(&Arguments, &Setting<'_>) -> Result<Coordinates, BuildFault>,
+}
+
+/// Where a curve is built.
+#[derive(Debug, Clone, Copy)]
+pub struct Setting<'a> {
+    /// The domain of its parameter.
+    pub domain: &'a Interval,
+    /// The field, which grows where the curve needs square roots.
+    pub tower: &'a Tower,
+}
+
+/// Why a constructor does not give a curve.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum BuildFault {
+    /// The arguments do not describe one, in words.
+    Malformed(String),
+    /// A square root would extend the field beyond the limit on its degree.
+    FieldDegree,
+}
+
+impl BuildFault {
+    fn malformed(message: &str) -> Self {
+        Self::Malformed(message.to_owned())
+    }
+}
+
+impl From<RootFault> for BuildFault {
+    fn from(fault: RootFault) -> Self {
+        match fault {
+            RootFault::Negative => Self::malformed("a square root of a negative number"),
+            RootFault::DegreeLimit { .. } => Self::FieldDegree,
+        }
+    }
 }
 
 /// What an argument of a constructor looks like.
@@ -50,6 +89,32 @@ pub struct Slot {
     pub shape: Shape,
     /// Whether it may be left out.
     pub optional: bool,
+}
+
+impl Slot {
+    const fn positional(shape: Shape) -> Self {
+        Self {
+            label: None,
+            shape,
+            optional: false,
+        }
+    }
+
+    const fn labelled(label: &'static str, shape: Shape) -> Self {
+        Self {
+            label: Some(label),
+            shape,
+            optional: false,
+        }
+    }
+
+    const fn optional(label: &'static str, shape: Shape) -> Self {
+        Self {
+            label: Some(label),
+            shape,
+            optional: true,
+        }
+    }
 }
 
 /// The shape of a constructor's argument.
@@ -65,6 +130,8 @@ pub enum Shape {
     Pairs,
     /// A list of scalars.
     Numbers,
+    /// A bare word or a string.
+    Word,
 }
 
 /// The value of a constructor's argument. A point is a list of two or three coordinates.
@@ -78,6 +145,8 @@ pub enum Value {
     Points(Vec<Vec<Real>>),
     /// Scalars.
     Numbers(Vec<Real>),
+    /// A word.
+    Word(String),
 }
 
 /// The values of all slots, in order; none where an optional one was left out.
@@ -106,6 +175,13 @@ impl Arguments {
         }
     }
 
+    fn word(&self, slot: usize) -> Option<&str> {
+        match self.0.get(slot)? {
+            Some(Value::Word(word)) => Some(word),
+            _ => None,
+        }
+    }
+
     fn numbers(&self, slot: usize) -> Option<&[Real]> {
         match self.0.get(slot)? {
             Some(Value::Numbers(numbers)) => Some(numbers),
@@ -121,9 +197,45 @@ pub struct Coordinates {
     pub weight: UniPoly<Real>,
     /// Two or three numerators.
     pub numerators: Vec<UniPoly<Real>>,
+    /// The preimage of the hodograph, where the curve was built from it.
+    pub preimage: Option<Preimage>,
+    /// Which interpolant of Hermite data the curve is.
+    pub interpolant: Option<Interpolant>,
+}
+
+/// ∫ of a slope over the domain, from a value at its start.
+fn integral(slope: &UniPoly<Real>, domain: &Interval, start: &Real) -> UniPoly<Real> {
+    let rise = slope.antiderivative();
+    let offset = start - &rise.evaluate(domain.start());
+    &rise + &UniPoly::constant(&offset)
 }
 
 impl Coordinates {
+    /// Rational coordinates.
+    #[must_use]
+    pub fn rational(weight: UniPoly<Real>, numerators: Vec<UniPoly<Real>>) -> Self {
+        Self {
+            weight,
+            numerators,
+            preimage: None,
+            interpolant: None,
+        }
+    }
+
+    /// The plane curve r with r′ = g ω² from a start, by its preimage.
+    #[must_use]
+    pub fn pythagorean(preimage: Preimage, start: &[Real; 2], domain: &Interval) -> Self {
+        let [x, y] = preimage.hodograph();
+        let numerators = vec![
+            integral(&x, domain, &start[0]),
+            integral(&y, domain, &start[1]),
+        ];
+        Self {
+            preimage: Some(preimage),
+            ..Self::rational(UniPoly::one(), numerators)
+        }
+    }
+
     /// The coordinates in space: pairs are placed in a plane's axes.
     #[must_use]
     pub fn in_space(&self, plane: Option<Plane>) -> Option<super::Homogeneous> {

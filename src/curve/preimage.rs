@@ -1,0 +1,101 @@
+use crate::number::{Complex, Real, RootFault, Tower};
+use crate::poly::{UniPoly, gcd, real_roots};
+
+use super::Interval;
+
+/// The preimage of a plane Pythagorean hodograph: r′ = g ω², ω = a + ib, with a complex constant g
+/// taken out so that a and b have coefficients in a small field.   [farouki-nittler, eq. 2]
+///
+/// - **shape** deg ω = m gives a curve of degree 2m + 1
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Preimage {
+    factor: Complex,
+    real: UniPoly<Real>,
+    imaginary: UniPoly<Real>,
+}
+
+impl Preimage {
+    /// g (a + ib)²
+    #[must_use]
+    pub fn new(factor: Complex, real: UniPoly<Real>, imaginary: UniPoly<Real>) -> Self {
+        Self {
+            factor,
+            real,
+            imaginary,
+        }
+    }
+
+    /// g
+    #[must_use]
+    pub fn factor(&self) -> &Complex {
+        &self.factor
+    }
+
+    /// a and b
+    #[must_use]
+    pub fn parts(&self) -> [&UniPoly<Real>; 2] {
+        [&self.real, &self.imaginary]
+    }
+
+    /// (x′, y′): real and imaginary part of g ω².
+    #[must_use]
+    pub fn hodograph(&self) -> [UniPoly<Real>; 2] {
+        let (a, b) = (&self.real, &self.imaginary);
+        let square = &(a * a) - &(b * b);
+        let cross = (a * b).scale(&Real::from(2));
+        let (g, h) = (&self.factor.real, &self.factor.imaginary);
+        [
+            &square.scale(g) - &cross.scale(h),
+            &square.scale(h) + &cross.scale(g),
+        ]
+    }
+
+    /// Whether the curve does not move.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        self.factor.is_zero() || (self.real.is_zero() && self.imaginary.is_zero())
+    }
+
+    /// |ω|²
+    #[must_use]
+    pub fn norm(&self) -> UniPoly<Real> {
+        &(&self.real * &self.real) + &(&self.imaginary * &self.imaginary)
+    }
+
+    /// σ = |g| |ω|²; the field grows if it does not hold |g|.   [farouki-nittler, eq. 3]
+    ///
+    /// # Errors
+    ///
+    /// A field of too large a degree.
+    pub fn speed(&self, tower: &Tower) -> Result<UniPoly<Real>, RootFault> {
+        Ok(self.norm().scale(&self.factor.modulus(tower)?))
+    }
+
+    /// Im(ω̄ ω′) = a b′ − a′ b: half the rate at which the tangent turns is this over |ω|².
+    ///
+    /// κ = 2 Im(ω̄ω′) / (|g| |ω|⁴).   [farouki-nittler, eq. 5]
+    #[must_use]
+    pub fn turning(&self) -> UniPoly<Real> {
+        let (a, b) = (&self.real, &self.imaginary);
+        &(a * &b.derivative()) - &(&a.derivative() * b)
+    }
+
+    /// The same directions without the real factors of ω, whose squares do not turn the tangent.
+    #[must_use]
+    pub fn primitive(&self) -> Self {
+        let common = gcd(&self.real, &self.imaginary);
+        let divide = |own: &UniPoly<Real>| own.exact_div(&common).unwrap_or_else(|| own.clone());
+        Self::new(
+            self.factor.clone(),
+            divide(&self.real),
+            divide(&self.imaginary),
+        )
+    }
+
+    /// Whether ω vanishes on the domain: the curve has a cusp there.
+    #[must_use]
+    pub fn has_cusp(&self, domain: &Interval) -> bool {
+        let common = gcd(&self.real, &self.imaginary);
+        !common.is_constant() && !real_roots(&common, domain.start(), domain.end()).is_empty()
+    }
+}

@@ -1,0 +1,326 @@
+use std::cmp::Ordering;
+use std::fmt;
+
+use super::enclosure::refine;
+use super::{Enclosure, Generator, Integer, Place, Ring, gcd};
+
+/// A numerator of a tower of real fields: an element of ℤ[√a₁, √a₂, …] with integral radicands.
+///
+/// A number is kept at its lowest level: a + b√aₖ with b ≠ 0 and both parts below level k. As
+/// no radicand is a square below its level, equality of values is equality of representations.
+/// Operands of one operation belong to one tower.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum SurdInteger {
+    /// A rational integer.
+    Rational(Integer),
+    /// a + b√aₖ
+    Irrational(Box<Binomial>),
+}
+
+/// a + b√aₖ with b ≠ 0.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Binomial {
+    /// a
+    pub constant: SurdInteger,
+    /// b
+    pub slope: SurdInteger,
+    /// √aₖ
+    pub generator: Generator,
+}
+
+impl SurdInteger {
+    /// a + b√aₖ at its lowest level.
+    #[must_use]
+    pub fn binomial(constant: Self, slope: Self, generator: &Generator) -> Self {
+        if slope.is_zero() {
+            return constant;
+        }
+        Self::Irrational(Box::new(Binomial {
+            constant,
+            slope,
+            generator: generator.clone(),
+        }))
+    }
+
+    /// √aₖ
+    #[must_use]
+    pub fn generator(generator: &Generator) -> Self {
+        Self::binomial(Self::zero(), Self::one(), generator)
+    }
+
+    /// The generator of the level on which it lies; none for a rational integer.
+    #[must_use]
+    pub fn level(&self) -> Option<&Generator> {
+        match self {
+            Self::Rational(_) => None,
+            Self::Irrational(own) => Some(&own.generator),
+        }
+    }
+
+    fn height(&self) -> usize {
+        self.level().map_or(0, Generator::level)
+    }
+
+    /// a − b√aₖ
+    fn conjugate(own: &Binomial) -> Self {
+        Self::binomial(own.constant.clone(), own.slope.negated(), &own.generator)
+    }
+
+    /// a² − aₖ b², below the level of the number; not 0
+    pub(super) fn norm(own: &Binomial) -> Self {
+        let square = own.slope.times(&own.slope).times(own.generator.square());
+        own.constant.times(&own.constant).minus(&square)
+    }
+
+    /// The numerator and the denominator of 1/a; none for 0.
+    ///
+    /// 1/(a + b√r) = (a − b√r)/(a² − r b²), level by level.
+    pub(super) fn inverse(&self) -> Option<(Self, Integer)> {
+        match self {
+            Self::Rational(own) => {
+                (!own.is_zero()).then(|| (Self::Rational(Integer::from(1)), own.clone()))
+            }
+            Self::Irrational(own) => {
+                let (numerator, denominator) = Self::norm(own).inverse()?;
+                let content = numerator.content();
+                let common = gcd(&content, &denominator);
+                let numerator = numerator.divided(&common);
+                Some((Self::conjugate(own).times(&numerator), denominator / common))
+            }
+        }
+    }
+
+    /// An interval around it at the precision.
+    #[must_use]
+    pub fn enclose(&self, precision: u32) -> Enclosure {
+        match self {
+            Self::Rational(own) => Enclosure::of_integer(own, precision),
+            Self::Irrational(own) => {
+                let slope = own.slope.enclose(precision);
+                let root = own.generator.enclose(precision);
+                own.constant.enclose(precision).plus(&slope.times(&root))
+            }
+        }
+    }
+
+    /// Its coordinates on the products of generators: the generators of each product from the
+    /// ground up, in the order 1, r₁, r₂, r₁r₂, r₃, …
+    #[must_use]
+    pub fn components(&self) -> Vec<(Vec<Generator>, &Integer)> {
+        match self {
+            Self::Rational(own) if own.is_zero() => Vec::new(),
+            Self::Rational(own) => vec![(Vec::new(), own)],
+            Self::Irrational(own) => {
+                let mut components = own.constant.components();
+                for (mut product, value) in own.slope.components() {
+                    product.push(own.generator.clone());
+                    components.push((product, value));
+                }
+                components
+            }
+        }
+    }
+
+    fn map(&self, change: &impl Fn(&Integer) -> Integer) -> Self {
+        match self {
+            Self::Rational(own) => Self::Rational(change(own)),
+            Self::Irrational(own) => Self::binomial(
+                own.constant.map(change),
+                own.slope.map(change),
+                &own.generator,
+            ),
+        }
+    }
+
+    /// a ± b, by the operation on rational integers.
+    fn combine(&self, other: &Self, join: &impl Fn(&Integer, &Integer) -> Integer) -> Self {
+        let zero = Self::zero();
+        let parts = |own: &Binomial| (own.constant.clone(), own.slope.clone());
+        match (self, other) {
+            (Self::Rational(left), Self::Rational(right)) => Self::Rational(join(left, right)),
+            (Self::Irrational(left), _) if self.height() > other.height() => {
+                let constant = left.constant.combine(other, join);
+                Self::binomial(constant, left.slope.clone(), &left.generator)
+            }
+            (Self::Irrational(left), Self::Irrational(right))
+                if self.height() == other.height() =>
+            {
+                let ((a, b), (c, d)) = (parts(left), parts(right));
+                Self::binomial(a.combine(&c, join), b.combine(&d, join), &left.generator)
+            }
+            (_, Self::Irrational(right)) => {
+                let constant = self.combine(&right.constant, join);
+                Self::binomial(constant, zero.combine(&right.slope, join), &right.generator)
+            }
+            (Self::Irrational(_), Self::Rational(_)) => self.clone(),
+        }
+    }
+}
+
+impl Ring for SurdInteger {
+    fn zero() -> Self {
+        Self::Rational(Ring::zero())
+    }
+
+    fn one() -> Self {
+        Self::Rational(Ring::one())
+    }
+
+    fn from_integer(value: &Integer) -> Self {
+        Self::Rational(value.clone())
+    }
+
+    fn is_zero(&self) -> bool {
+        matches!(self, Self::Rational(own) if Ring::is_zero(own))
+    }
+
+    fn is_one(&self) -> bool {
+        matches!(self, Self::Rational(own) if Ring::is_one(own))
+    }
+
+    fn plus(&self, other: &Self) -> Self {
+        self.combine(other, &|left, right| left + right)
+    }
+
+    fn minus(&self, other: &Self) -> Self {
+        self.combine(other, &|left, right| left - right)
+    }
+
+    fn times(&self, other: &Self) -> Self {
+        match (self, other) {
+            (Self::Rational(left), Self::Rational(right)) => Self::Rational(left * right),
+            (Self::Rational(factor), own) | (own, Self::Rational(factor)) => own.scaled(factor),
+            (Self::Irrational(left), Self::Irrational(right)) => {
+                match self.height().cmp(&other.height()) {
+                    Ordering::Greater => Self::binomial(
+                        left.constant.times(other),
+                        left.slope.times(other),
+                        &left.generator,
+                    ),
+                    Ordering::Less => other.times(self),
+                    Ordering::Equal => {
+                        // (a + b√r)(c + d√r) = ac + bd r + (ad + bc)√r
+                        let mut constant = left.constant.times(&right.constant);
+                        let square = left.slope.times(&right.slope);
+                        constant.add_product(&square, left.generator.square());
+                        let mut slope = left.constant.times(&right.slope);
+                        slope.add_product(&left.slope, &right.constant);
+                        Self::binomial(constant, slope, &left.generator)
+                    }
+                }
+            }
+        }
+    }
+
+    fn add_product(&mut self, left: &Self, right: &Self) {
+        if let (Self::Rational(own), Self::Rational(left), Self::Rational(right)) =
+            (&mut *self, left, right)
+        {
+            own.add_product(left, right);
+        } else {
+            *self = self.plus(&left.times(right));
+        }
+    }
+
+    fn negated(&self) -> Self {
+        self.map(&|own| -own)
+    }
+
+    fn scaled(&self, factor: &Integer) -> Self {
+        if Ring::is_zero(factor) {
+            return Self::zero();
+        }
+        self.map(&|own| own * factor)
+    }
+
+    fn divided(&self, divisor: &Integer) -> Self {
+        self.map(&|own| own / divisor)
+    }
+
+    fn quotient(&self, divisor: &Self) -> Option<Self> {
+        match (self, divisor) {
+            (Self::Rational(own), Self::Rational(divisor)) => {
+                own.quotient(divisor).map(Self::Rational)
+            }
+            (Self::Irrational(own), _) if self.height() > divisor.height() => Some(Self::binomial(
+                own.constant.quotient(divisor)?,
+                own.slope.quotient(divisor)?,
+                &own.generator,
+            )),
+            // x / (a + b√r) = x (a − b√r) / (a² − r b²), part by part
+            (_, Self::Irrational(divisor)) => self
+                .times(&Self::conjugate(divisor))
+                .quotient(&Self::norm(divisor)),
+            (Self::Irrational(_), Self::Rational(_)) => None,
+        }
+    }
+
+    fn content(&self) -> Integer {
+        match self {
+            Self::Rational(own) => own.content(),
+            Self::Irrational(own) => {
+                let slope = own.slope.content();
+                if Ring::is_one(&slope) {
+                    return slope;
+                }
+                gcd(&slope, &own.constant.content())
+            }
+        }
+    }
+
+    fn sign(&self) -> Ordering {
+        match self {
+            Self::Rational(own) => Ring::sign(own),
+            Self::Irrational(own) => match (own.constant.sign(), own.slope.sign()) {
+                (Ordering::Equal, sign) => sign,
+                (left, right) if left == right => left,
+                // Not 0, so some enclosure excludes 0.
+                _ => refine(|precision| self.enclose(precision).sign()),
+            },
+        }
+    }
+
+    fn height(&self) -> usize {
+        Self::height(self)
+    }
+
+    fn place(&self) -> Option<Place> {
+        match self.level() {
+            None => Some(Place::rational()),
+            Some(generator) => generator.place().cloned(),
+        }
+    }
+
+    fn image(&self, place: &Place) -> u64 {
+        let modulus = place.modulus();
+        match self {
+            Self::Rational(own) => modulus.embed_integer(own),
+            Self::Irrational(own) => {
+                let root = place.root(own.generator.level() - 1);
+                let slope = modulus.times(own.slope.image(place), root);
+                modulus.plus(own.constant.image(place), slope)
+            }
+        }
+    }
+
+    fn bits(&self) -> u64 {
+        match self {
+            Self::Rational(own) => Ring::bits(own),
+            Self::Irrational(own) => own.constant.bits().max(own.slope.bits()),
+        }
+    }
+
+    fn as_integer(&self) -> Option<&Integer> {
+        match self {
+            Self::Rational(own) => Some(own),
+            Self::Irrational(_) => None,
+        }
+    }
+}
+
+/// `3 - 2*√2`, every radical written out.
+impl fmt::Display for SurdInteger {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&super::radicals(self, &Integer::from(1)))
+    }
+}
