@@ -1,48 +1,35 @@
 use crate::number::Real;
-use crate::poly::{BiPoly, BiSquareTest, UniPoly, gcd_all, square_test_bi};
-use crate::sweep::{HomogeneousSurface, normal_direction};
+use crate::poly::{BiPoly, BiSquareTest, square_test_bi, sum_of_squares_refuted};
+use crate::sweep::{HomogeneousSurface, NormalVector};
 
-/// The direction of the normal: R_u × R_v = a(u) b(v) M / W³ with a polynomial vector M that has
-/// no factor in u or in v alone.
+/// The normal of a surface in factors, and whether its length is rational.
 #[derive(Debug, Clone)]
 pub(super) struct NormalDirection {
-    /// a(u)
-    pub(super) in_u: UniPoly<Real>,
-    /// b(v)
-    pub(super) in_v: UniPoly<Real>,
-    /// M·M
-    pub(super) squared: BiPoly<Real>,
-    /// Whether M·M is a square up to a constant.
+    /// R_u × R_v = a(u) b(v) F(u, v) D / W³
+    pub(super) vector: NormalVector,
+    /// Whether D·D is a square up to a constant.
     pub(super) square: BiSquareTest<Real>,
 }
 
 impl NormalDirection {
     /// The direction for a surface; none if R_u × R_v is zero identically.
+    ///
+    /// An image of D·D refutes most surfaces before it is multiplied out.
     pub(super) fn of(surface: &HomogeneousSurface) -> Option<Self> {
-        let whole = normal_direction(surface);
-        if whole.iter().all(BiPoly::is_zero) {
-            return None;
-        }
-        let contents = |content: fn(&BiPoly<Real>) -> UniPoly<Real>| {
-            let parts: Vec<_> = whole
-                .iter()
-                .filter(|own| !own.is_zero())
-                .map(content)
-                .collect();
-            gcd_all(&parts)
+        let vector = NormalVector::of(surface)?;
+        let square = match sum_of_squares_refuted(&vector.direction) {
+            Some(reason) => BiSquareTest::NotSquare { reason },
+            None => square_test_bi(&vector.squared_direction()),
         };
-        let (in_u, in_v) = (contents(BiPoly::content_u), contents(BiPoly::content_v));
-        let vector = whole.map(|own| {
-            let own = own.exact_div_u(&in_u).unwrap_or(own);
-            own.exact_div_v(&in_v).unwrap_or(own)
-        });
-        let squares = vector.iter().map(|own| own * own);
-        let squared = squares.fold(BiPoly::zero(), |sum, own| &sum + &own);
-        Some(Self {
-            square: square_test_bi(&squared),
-            in_u,
-            in_v,
-            squared,
-        })
+        Some(Self { vector, square })
+    }
+
+    /// A polynomial with the zeros of D: √(D·D) where that is a polynomial, so that a fold shows
+    /// as a change of sign.
+    pub(super) fn length(&self) -> BiPoly<Real> {
+        match &self.square {
+            BiSquareTest::Square { root, .. } => root.clone(),
+            BiSquareTest::NotSquare { .. } => self.vector.squared_direction(),
+        }
     }
 }

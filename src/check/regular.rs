@@ -1,5 +1,5 @@
 use crate::number::Real;
-use crate::poly::{BiPoly, BiSquareTest, ZeroSet, Zeros, zeros_by_subdivision};
+use crate::poly::{BiPoly, ZeroSet, Zeros, zeros_by_subdivision};
 use crate::sweep::Domain;
 
 use super::Verdict;
@@ -10,18 +10,24 @@ const PIECES: usize = 64;
 
 /// Whether R_u × R_v is nowhere zero on the closed domain, and places where it is zero.
 ///
-/// R_u × R_v = a(u) b(v) M / W³ vanishes where a, b or M does, and M where M·M does. If M·M = c q²,
-/// the zeros of q are asked for, so that a fold shows as a change of sign. Subdivision decides
-/// this for most surfaces; what it leaves open stays undecided here.
+/// R_u × R_v = a(u) b(v) F D / W³ vanishes where a, b, F or D does, and D nowhere if one of its
+/// components vanishes nowhere. Subdivision decides this for most surfaces; what it leaves open
+/// stays undecided here.
 pub(super) fn regular(
     direction: &NormalDirection,
     domain: &Domain,
 ) -> (Verdict, Vec<ZeroSet<Real>>) {
-    let lines = BiPoly::product(&direction.in_u, &direction.in_v);
-    let found = [&lines, zeros_of_m(direction)].map(|own| {
+    let zeros = |own: &BiPoly<Real>| {
         let (u, v) = (&domain.u, &domain.v);
         zeros_by_subdivision(own, (u.start(), u.end()), (v.start(), v.end()), PIECES)
-    });
+    };
+    let vector = &direction.vector;
+    let lines = BiPoly::product(&vector.in_u, &vector.in_v);
+    let mut found = vec![zeros(&lines), zeros(&vector.mixed)];
+    let parts = vector.direction.iter().filter(|own| !own.is_zero());
+    if !parts.into_iter().any(|own| is_signed(own, domain)) {
+        found.push(zeros(&direction.length()));
+    }
     let mut places = Vec::new();
     for zeros in found.iter().flatten() {
         if let Zeros::Some(sets) = zeros {
@@ -38,10 +44,9 @@ pub(super) fn regular(
     (verdict, places)
 }
 
-/// A polynomial with the zeros of M.
-fn zeros_of_m(direction: &NormalDirection) -> &BiPoly<Real> {
-    match &direction.square {
-        BiSquareTest::Square { root, .. } => root,
-        BiSquareTest::NotSquare { .. } => &direction.squared,
-    }
+/// Whether the Bernstein coefficients on the domain show that a polynomial has no zero there.
+fn is_signed(polynomial: &BiPoly<Real>, domain: &Domain) -> bool {
+    let (u, v) = (&domain.u, &domain.v);
+    let zeros = zeros_by_subdivision(polynomial, (u.start(), u.end()), (v.start(), v.end()), 1);
+    matches!(zeros, Some(Zeros::None))
 }

@@ -1,5 +1,6 @@
 //! Curves and their exact differential and integral properties.
 
+mod bending_energy;
 mod curve;
 mod fault;
 mod hermite;
@@ -12,6 +13,7 @@ mod preimage;
 mod property;
 mod rotation_index;
 
+pub use bending_energy::bending_energy;
 pub use curve::Curve;
 pub use fault::Fault;
 pub use hermite::{Branch, Choice, HermiteData, Interpolant};

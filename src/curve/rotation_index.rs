@@ -1,5 +1,5 @@
-use crate::number::{Enclosure, Field, Integer, Real};
-use crate::poly::{UniPoly, bernstein, real_roots};
+use crate::number::{Enclosure, Integer, Real};
+use crate::poly::{bernstein, real_roots};
 
 use super::{Interval, Preimage};
 
@@ -13,83 +13,118 @@ use super::{Interval, Preimage};
 pub fn rotation_index(preimage: &Preimage, domain: &Interval, precision: u32) -> Enclosure {
     let preimage = preimage.primitive();
     let turning = preimage.turning();
-    let zero = Enclosure::of_integer(&0.into(), precision);
+    let mut total = Enclosure::of_integer(&0.into(), precision);
     if turning.is_zero() {
-        return zero;
+        return total;
     }
-    let step = Real::ratio(1.into(), Integer::from(1) << precision.div_ceil(2));
-    let mut total = zero;
+    let step = Real::ratio(1.into(), Integer::from(1) << precision);
     let mut from = domain.start().clone();
     for mut root in real_roots(&turning, domain.start(), domain.end()) {
         root.refine(&step);
-        total = total.plus(&angle(&preimage, &from, root.lower(), precision));
-        total = total.plus(&wobble(&preimage, root.lower(), root.upper(), precision));
+        // Inside the isolating interval arg ω turns by less than it can turn on so short a way.
+        let gap = Piece::of(&preimage, root.lower(), root.upper(), precision);
+        total = total
+            .plus(&Piece::of(&preimage, &from, root.lower(), precision).angle())
+            .plus(&gap.spread());
         from = root.upper().clone();
     }
-    total = total.plus(&angle(&preimage, &from, domain.end(), precision));
+    total = total.plus(&Piece::of(&preimage, &from, domain.end(), precision).angle());
     let inverse = Enclosure::pi(precision).inverse();
     inverse.map_or_else(|| total.clone(), |inverse| total.times(&inverse))
 }
 
-/// |arg ω(b) − arg ω(a)| where arg ω is monotone on [a, b].
-///
-/// Halved until ω stays in the half-plane around ω(a), where Re(ω̄(a) ω) > 0.
-fn angle(preimage: &Preimage, from: &Real, to: &Real, precision: u32) -> Enclosure {
-    let mut total = Enclosure::of_integer(&0.into(), precision);
-    let mut pending = vec![(from.clone(), to.clone())];
-    while let Some((from, to)) = pending.pop() {
-        if from == to {
-            continue;
-        }
-        let [a, b] = preimage.parts();
-        let (start_a, start_b) = (a.evaluate(&from), b.evaluate(&from));
-        let along = &a.scale(&start_a) + &b.scale(&start_b);
-        if !is_positive(&along, &from, &to) {
-            let middle = &(&from + &to) / &Real::from(2);
-            pending.push((middle.clone(), to));
-            pending.push((from, middle));
-            continue;
-        }
-        let across = &b.scale(&start_a) - &a.scale(&start_b);
-        let ratio = &across.evaluate(&to) / &along.evaluate(&to);
-        let piece = ratio.enclose(precision).arctangent();
-        total = total.plus(&piece.absolute());
-    }
-    total
+/// Halvings after which the precision, not the length of the piece, is too small.
+const DEPTH: u32 = 48;
+
+/// ω on a piece of the domain: intervals around the Bernstein coefficients of a and b.
+struct Piece {
+    points: Vec<[Enclosure; 2]>,
 }
 
-/// An interval around ∫|d arg ω| over a narrow interval: at most its length times the greatest
-/// |Im(ω̄ω′)| over the least |ω|².
-fn wobble(preimage: &Preimage, from: &Real, to: &Real, precision: u32) -> Enclosure {
-    let zero = Enclosure::of_integer(&0.into(), precision);
-    if from == to {
-        return zero;
-    }
-    let coefficients = |polynomial: &UniPoly<Real>| {
-        bernstein(polynomial, polynomial.degree().unwrap_or(0), from, to)
-    };
-    let most = coefficients(&preimage.turning());
-    let most = most.iter().map(Real::absolute).max();
-    let least = coefficients(&preimage.norm()).into_iter().min();
-    match (most, least) {
-        (Some(most), Some(least)) if least.sign().is_gt() => {
-            let bound = &(&most * &(to - from)) / &least;
-            zero.hull(&bound.enclose(precision))
-        }
-        // |ω| nearly vanishes: both halves are narrower.
-        _ => {
-            let middle = &(from + to) / &Real::from(2);
-            let first = wobble(preimage, from, &middle, precision);
-            first.plus(&wobble(preimage, &middle, to, precision))
+impl Piece {
+    fn of(preimage: &Preimage, from: &Real, to: &Real, precision: u32) -> Self {
+        let parts = preimage.parts();
+        let degree = parts
+            .iter()
+            .filter_map(|own| own.degree())
+            .max()
+            .unwrap_or(0);
+        let [a, b] = parts.map(|own| bernstein(own, degree, from, to));
+        let enclose = |own: &Real| own.enclose(precision);
+        let points = a.iter().zip(&b).map(|(a, b)| [enclose(a), enclose(b)]);
+        Self {
+            points: points.collect(),
         }
     }
-}
 
-/// Whether the Bernstein coefficients on an interval are all positive.
-fn is_positive(polynomial: &UniPoly<Real>, from: &Real, to: &Real) -> bool {
-    let degree = polynomial.degree().unwrap_or(0);
-    let coefficients = bernstein(polynomial, degree, from, to);
-    coefficients.iter().all(|own| own.sign().is_gt())
+    /// |arg ω(end) − arg ω(start)| where arg ω is monotone: the piece is halved until ω stays in
+    /// the half-plane around its start.
+    fn angle(self) -> Enclosure {
+        let precision = self.points[0][0].precision();
+        let mut total = Enclosure::of_integer(&0.into(), precision);
+        let mut pending = vec![(self, 0)];
+        while let Some((piece, depth)) = pending.pop() {
+            match piece.small_angle() {
+                Some(angle) => total = total.plus(&angle),
+                None if depth == DEPTH => {
+                    let zero = Enclosure::of_integer(&0.into(), precision);
+                    total = total.plus(&zero.hull(&Enclosure::pi(precision)));
+                }
+                None => {
+                    let (left, right) = piece.halves();
+                    pending.extend([(right, depth + 1), (left, depth + 1)]);
+                }
+            }
+        }
+        total
+    }
+
+    /// |arg ω(end) − arg ω(start)| if ω is seen to stay in the half-plane Re(ω̄(start) ω) > 0.
+    fn small_angle(&self) -> Option<Enclosure> {
+        let ([a, b], [c, d]) = (self.points.first()?, self.points.last()?);
+        for [along, across] in &self.points {
+            let real = a.times(along).plus(&b.times(across));
+            real.sign()?.is_gt().then_some(())?;
+        }
+        let real = a.times(c).plus(&b.times(d));
+        let imaginary = a.times(d).minus(&b.times(c));
+        Some(imaginary.times(&real.inverse()?).arctangent().absolute())
+    }
+
+    /// An interval from 0 to a bound for ∫|d arg ω|: the sum of the angles between neighbouring
+    /// control points, which the curve does not exceed.
+    fn spread(&self) -> Enclosure {
+        let precision = self.points[0][0].precision();
+        let zero = Enclosure::of_integer(&0.into(), precision);
+        let angles = self.points.windows(2).map(|pair| {
+            let pair = Self {
+                points: pair.to_vec(),
+            };
+            pair.small_angle()
+                .unwrap_or_else(|| Enclosure::pi(precision))
+        });
+        let sum = angles.fold(zero.clone(), |sum, own| sum.plus(&own));
+        zero.hull(&sum)
+    }
+
+    /// Both halves, by de Casteljau's construction.
+    fn halves(&self) -> (Self, Self) {
+        let two = Integer::from(2);
+        let mut row = self.points.clone();
+        let (mut left, mut right) = (Vec::new(), Vec::new());
+        while let (Some(first), Some(last)) = (row.first(), row.last()) {
+            left.push(first.clone());
+            right.push(last.clone());
+            let mean =
+                |i: usize, [one, other]: [&[Enclosure; 2]; 2]| one[i].plus(&other[i]).divided(&two);
+            row = row
+                .windows(2)
+                .map(|pair| [0, 1].map(|i| mean(i, [&pair[0], &pair[1]])))
+                .collect();
+        }
+        right.reverse();
+        (Self { points: left }, Self { points: right })
+    }
 }
 
 #[cfg(test)]

@@ -32,7 +32,8 @@ impl<F: Field> BiPoly<F> {
     }
 
     /// The greatest divisor in u alone, the greatest in v alone, and the rest, free of both.
-    pub(super) fn split(&self) -> Option<(UniPoly<F>, UniPoly<F>, Self)> {
+    #[must_use]
+    pub fn split(&self) -> Option<(UniPoly<F>, UniPoly<F>, Self)> {
         let (in_u, in_v) = (self.content_u(), self.content_v());
         let mut rest = self.clone();
         if !in_u.is_constant() {

@@ -1,7 +1,7 @@
 use super::image::{Image, place_of_all};
 use super::square::primitive_root;
 use super::{BiPoly, SquareTest, UniPoly, square_test};
-use crate::number::{Field, Integer, Ring, lcm};
+use crate::number::{Field, Integer, Place, Ring, lcm};
 
 /// Whether a polynomial in u and v is a square up to a constant factor.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -19,6 +19,9 @@ pub enum BiSquareTest<F: Field> {
         reason: String,
     },
 }
+
+/// The points at which images are taken: accidents, so that few polynomials are singular there.
+const POINTS: [u64; 2] = [3_141_592_653, 2_718_281_828];
 
 /// Decides whether p(u, v) = factor · root².
 ///
@@ -93,19 +96,43 @@ fn product_test<F: Field>(in_u: &UniPoly<F>, in_v: &UniPoly<F>) -> BiSquareTest<
 fn refuted_by_image<F: Field>(polynomial: &BiPoly<F>) -> Option<String> {
     let place = place_of_all([polynomial])?;
     let prime = place.modulus().name();
-    for point in [3_141_592_653, 2_718_281_828] {
+    for point in POINTS {
         for (variable, image) in [
             ("u", Image::at_u(polynomial, point, &place)),
             ("v", Image::at_v(polynomial, point, &place)),
         ] {
             if !image?.is_square() {
-                return Some(format!(
-                    "an image modulo {prime} shows it, at {variable} = {point}"
-                ));
+                return Some(shown(&prime, variable, point));
             }
         }
     }
     None
+}
+
+/// Looks for an image in one variable that shows that Σ pᵢ² is not a constant times a square,
+/// without multiplying it out; in words.
+#[must_use]
+pub fn sum_of_squares_refuted<F: Field>(parts: &[BiPoly<F>]) -> Option<String> {
+    let place = place_of_all(parts)?;
+    let prime = place.modulus().name();
+    for point in POINTS {
+        let images = |of: fn(&BiPoly<F>, u64, &Place) -> Option<Image>| {
+            let images = parts.iter().map(|own| of(own, point, &place));
+            let images: Option<Vec<Image>> = images.collect();
+            Some(Image::sum_of_squares(&images?, place.modulus()))
+        };
+        for (variable, image) in [("u", images(Image::at_u)), ("v", images(Image::at_v))] {
+            if !image?.is_square() {
+                return Some(shown(&prime, variable, point));
+            }
+        }
+    }
+    None
+}
+
+/// Where an image shows that a polynomial is not a square.
+fn shown(prime: &str, variable: &str, point: u64) -> String {
+    format!("an image modulo {prime} shows it, at {variable} = {point}")
 }
 
 /// p(xᴺ, x)

@@ -104,6 +104,20 @@ impl Image {
         coefficients.fold(0, |value, own| modulus.plus(modulus.times(value, at), *own))
     }
 
+    /// Σ pᵢ²
+    pub(super) fn sum_of_squares(parts: &[Self], modulus: &Modulus) -> Self {
+        let longest = parts.iter().map(|own| own.coefficients.len()).max();
+        let mut sum = vec![0; (2 * longest.unwrap_or(0)).saturating_sub(1)];
+        for part in parts {
+            for (i, left) in part.coefficients.iter().enumerate() {
+                for (own, right) in sum[i..].iter_mut().zip(&part.coefficients) {
+                    *own = modulus.plus(*own, modulus.times(*left, *right));
+                }
+            }
+        }
+        Self::new(sum, modulus)
+    }
+
     /// Whether it is a constant times a square; 0 is.
     ///
     /// The root of the monic multiple follows from the upper half of the coefficients.

@@ -31,7 +31,7 @@ pub use bernstein::{bernstein, de_casteljau, from_bernstein, subdivide};
 pub use bi::BiPoly;
 pub use bidegree::BiDegree;
 pub use bigcd::{exact_div_bi, gcd_bi};
-pub use bisquare::{BiSquareTest, square_test_bi};
+pub use bisquare::{BiSquareTest, square_test_bi, sum_of_squares_refuted};
 pub use coprimality::Coprimality;
 pub use fraction::{Denominator, Fraction};
 pub use gcd::{certify_coprime, gcd, gcd_all, lcm};

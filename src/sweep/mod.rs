@@ -14,5 +14,5 @@ pub use claim::{Claim, Expectation, Quality, Quantity, Relation};
 pub use eval::evaluate_slowly;
 pub use expand::{Expanded, Expander};
 pub use expression::{CurveProperty, Form, Scalar, Vector};
-pub use normal::{NormalFault, normal_direction, unit_normal};
+pub use normal::{NormalFault, NormalVector, unit_normal};
 pub use surface::{Domain, Expansion, HomogeneousSurface, SweptSurface};

@@ -1,6 +1,6 @@
 use crate::diag::Code;
 use crate::number::{Field, Real, Tower};
-use crate::poly::{BiPoly, BiSquareTest, Fraction, square_test_bi};
+use crate::poly::{BiPoly, BiSquareTest, Fraction, UniPoly, exact_div_bi, gcd_all, square_test_bi};
 
 use super::{Domain, HomogeneousSurface};
 
@@ -60,10 +60,109 @@ impl NormalFault {
     }
 }
 
-/// The polynomial vector M with R_u × R_v = M / W³:
-/// M = W P_u × P_v − W_u P × P_v + W_v P × P_u, where P = (X, Y, Z).
-#[must_use]
-pub fn normal_direction(surface: &HomogeneousSurface) -> [BiPoly<Real>; 3] {
+/// The normal of a surface in factors: R_u × R_v = a(u) b(v) F(u, v) D / W³.
+///
+/// F has no factor in one variable, and the components of the polynomial vector D have no common
+/// factor in one variable. For an oriented translation F is the numerator of 1 + κx, and D what
+/// turns with the profile and the curve.
+#[derive(Debug, Clone)]
+pub struct NormalVector {
+    /// a(u)
+    pub in_u: UniPoly<Real>,
+    /// b(v)
+    pub in_v: UniPoly<Real>,
+    /// F(u, v)
+    pub mixed: BiPoly<Real>,
+    /// D
+    pub direction: [BiPoly<Real>; 3],
+}
+
+impl NormalVector {
+    /// The normal of a surface; none if R_u × R_v is zero identically.
+    ///
+    /// With P = (X, Y, Z) and W = d(u) e(v), A = d P_u − d′ P and B = e P_v − e′ P have
+    /// R_u × R_v = A × B / W³, and what A or B has in common is taken out before it is multiplied
+    /// in. For other W it is (W P_u × P_v − W_u P × P_v + W_v P × P_u) / W³.
+    #[must_use]
+    pub fn of(surface: &HomogeneousSurface) -> Option<Self> {
+        let point = surface.point();
+        let [(in_u, in_v)] = surface.weight().terms() else {
+            return Self::taken_out(normal_numerators(surface));
+        };
+        let first = Self::taken_out(point.each_ref().map(|own| {
+            let weight = BiPoly::in_u(in_u);
+            &(&weight * &own.derivative_u()) - &(&weight.derivative_u() * own)
+        }))?;
+        let second = Self::taken_out(point.each_ref().map(|own| {
+            let weight = BiPoly::in_v(in_v);
+            &(&weight * &own.derivative_v()) - &(&weight.derivative_v() * own)
+        }))?;
+        let product = Self::taken_out(cross(&first.direction, &second.direction))?;
+        let factors = [&first, &second];
+        Some(factors.into_iter().fold(product, |product, own| Self {
+            in_u: &product.in_u * &own.in_u,
+            in_v: &product.in_v * &own.in_v,
+            mixed: &product.mixed * &own.mixed,
+            direction: product.direction,
+        }))
+    }
+
+    /// A vector with its common factors taken out; none for 0.
+    ///
+    /// A common F is seen where every component is a product f(u) g(v) F.
+    fn taken_out(vector: [BiPoly<Real>; 3]) -> Option<Self> {
+        let parts = vector.iter().filter(|own| !own.is_zero());
+        let parts: Vec<_> = parts.map(BiPoly::split).collect::<Option<_>>()?;
+        let (_, _, rest) = parts.first()?;
+        let in_u = gcd_all(parts.iter().map(|own| &own.0));
+        let in_v = gcd_all(parts.iter().map(|own| &own.1));
+        let shared = rest.as_constant().is_none()
+            && parts.iter().all(|(_, _, own)| are_proportional(own, rest));
+        let mixed = if shared { rest.clone() } else { BiPoly::one() };
+        let direction = vector.map(|own| {
+            let own = own.exact_div_u(&in_u).unwrap_or(own);
+            let own = own.exact_div_v(&in_v).unwrap_or(own);
+            if shared {
+                exact_div_bi(&own, &mixed).unwrap_or(own)
+            } else {
+                own
+            }
+        });
+        Some(Self {
+            in_u,
+            in_v,
+            mixed,
+            direction,
+        })
+    }
+
+    /// a(u) b(v) F(u, v)
+    #[must_use]
+    pub fn factor(&self) -> BiPoly<Real> {
+        &BiPoly::product(&self.in_u, &self.in_v) * &self.mixed
+    }
+
+    /// D·D
+    #[must_use]
+    pub fn squared_direction(&self) -> BiPoly<Real> {
+        let squares = self.direction.iter().map(|own| own * own);
+        squares.fold(BiPoly::zero(), |sum, own| &sum + &own)
+    }
+}
+
+/// Whether two polynomials that are not 0 differ by a constant factor.
+fn are_proportional(left: &BiPoly<Real>, right: &BiPoly<Real>) -> bool {
+    let lead = |own: &BiPoly<Real>| own.rows().last().map(UniPoly::leading_coefficient);
+    match (lead(left), lead(right)) {
+        (Some(first), Some(second)) => {
+            left.bidegree() == right.bidegree() && left.scale(&second) == right.scale(&first)
+        }
+        _ => false,
+    }
+}
+
+/// W P_u × P_v − W_u P × P_v + W_v P × P_u, where P = (X, Y, Z).
+fn normal_numerators(surface: &HomogeneousSurface) -> [BiPoly<Real>; 3] {
     let weight = surface.weight();
     let point = surface.point();
     let in_u = point.each_ref().map(BiPoly::derivative_u);
@@ -78,9 +177,7 @@ pub fn normal_direction(surface: &HomogeneousSurface) -> [BiPoly<Real>; 3] {
 }
 
 /// The unit normal of a surface where it is rational, continuous on the domain and along
-/// R_u × R_v at its first regular point.
-///
-/// With M as in [`normal_direction`], N = M / q where q² = M·M.
+/// R_u × R_v at its first regular point: D / q with q² = D·D.
 ///
 /// # Errors
 ///
@@ -91,29 +188,23 @@ pub fn unit_normal(
     tower: &Tower,
 ) -> Result<[Fraction<Real>; 3], NormalFault> {
     let surface = HomogeneousSurface::of(surface, domain).surface;
-    let direction = normal_direction(&surface);
-    let squared = direction
-        .iter()
-        .fold(BiPoly::zero(), |sum, own| &sum + &(own * own));
-    if squared.is_zero() {
-        return Err(NormalFault::NotSurface);
-    }
-    let (factor, root) = match square_test_bi(&squared) {
+    let normal = NormalVector::of(&surface).ok_or(NormalFault::NotSurface)?;
+    let (factor, root) = match square_test_bi(&normal.squared_direction()) {
         BiSquareTest::Square { factor, root } => (factor, root),
         BiSquareTest::NotSquare { reason } => return Err(NormalFault::NotRational { reason }),
     };
     let scale = tower
         .square_root(&factor)
         .map_err(|_| NormalFault::FieldDegree { radicand: factor })?;
-    let over = &root.scale(&scale) * surface.weight();
+    let root = root.scale(&scale);
+    let over = &(&root * &normal.factor()) * surface.weight();
     let root = if starts_negative(&over, domain) {
         -&root
     } else {
         root
     };
-    let root = root.scale(&scale);
     let component = |own: &BiPoly<Real>| Fraction::quotient(own, &root).map(|own| own.reduce());
-    match direction.each_ref().map(component) {
+    match normal.direction.each_ref().map(component) {
         [Some(x), Some(y), Some(z)] => Ok([x, y, z]),
         _ => Err(NormalFault::NotSurface),
     }
