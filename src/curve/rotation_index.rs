@@ -131,6 +131,7 @@ impl Piece {
 mod tests {
     use super::*;
     use crate::number::Complex;
+    use crate::poly::UniPoly;
 
     /// The preimage with rational coefficients, ascending.
     fn preimage(real: &[i64], imaginary: &[i64]) -> Preimage {

@@ -1,8 +1,5 @@
 use std::cmp::Ordering;
 
-use num_integer::Integer as _;
-use num_traits::{Signed, Zero};
-
 use super::{Integer, Rational, Ring};
 
 /// A closed interval [l, u] · 2⁻ᵖ that holds a real number.
@@ -40,7 +37,7 @@ impl Enclosure {
     pub fn of_rational(value: &Rational, precision: u32) -> Self {
         let (quotient, remainder) =
             (value.numerator() << precision).div_mod_floor(value.denominator());
-        let upper = if Zero::is_zero(&remainder) {
+        let upper = if Ring::is_zero(&remainder) {
             quotient.clone()
         } else {
             &quotient + 1
@@ -148,11 +145,11 @@ impl Enclosure {
     /// |a|
     #[must_use]
     pub fn absolute(&self) -> Self {
-        if self.lower.is_negative() && self.upper.is_positive() {
+        if Ring::sign(&self.lower).is_lt() && Ring::sign(&self.upper).is_gt() {
             let upper = (-&self.lower).max(self.upper.clone());
             return Self::new(Integer::from(0), upper, self.precision);
         }
-        if self.upper.is_positive() {
+        if Ring::sign(&self.upper).is_gt() {
             self.clone()
         } else {
             self.negated()
@@ -253,7 +250,7 @@ fn arctangent_of_inverse(inverse: &Integer, precision: u32) -> Enclosure {
     let mut terms = 1_u32;
     for order in 1_u32.. {
         power /= &square;
-        if Zero::is_zero(&power) {
+        if Ring::is_zero(&power) {
             break;
         }
         let term = &power / Integer::from(2 * order + 1);
@@ -317,7 +314,7 @@ mod tests {
         let sum = half.map(|half| half.plus(&two.arctangent()));
         let right = Enclosure::pi(128).divided(&2.into());
         let gap = sum.map(|sum| sum.minus(&right).absolute());
-        assert!(gap.is_some_and(|gap| gap.lower == 0.into() && gap.upper < 16.into()));
+        assert!(gap.is_some_and(|gap| gap.lower == 0 && gap.upper < 16));
         let minus = two.negated().arctangent().plus(&two.arctangent());
         assert_eq!(minus.sign(), None);
     }

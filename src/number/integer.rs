@@ -1,86 +1,230 @@
 use std::cmp::Ordering;
+use std::fmt;
+use std::str::FromStr;
 
-use num_integer::Integer as _;
-use num_traits::{One, Signed, Zero};
+use num_bigint::BigInt;
 
 use super::{Place, Ring};
 
 /// A rational integer of any size.
-pub type Integer = num_bigint::BigInt;
+///
+/// Below 2¹²⁷ in absolute value it is a machine number, which needs no memory of its own; most
+/// coefficients stay there. Equality of values is equality of representations.
+#[derive(Clone, PartialEq, Eq, Hash)]
+pub struct Integer(Form);
 
-/// The greatest common divisor, not negative.
-#[must_use]
-pub fn gcd(left: &Integer, right: &Integer) -> Integer {
-    // A machine word on one side makes the other one, by one remainder.
-    let word = |value: &Integer| u64::try_from(value.magnitude()).ok();
-    let remainder = |value: &Integer, word: u64| {
-        let rest = value.magnitude() % word;
-        u64::try_from(rest).unwrap_or_default()
-    };
-    match (word(left), word(right)) {
-        (Some(0), _) => right.abs(),
-        (_, Some(0)) => left.abs(),
-        (Some(first), Some(second)) => first.gcd(&second).into(),
-        (Some(first), None) => first.gcd(&remainder(right, first)).into(),
-        (None, Some(second)) => second.gcd(&remainder(left, second)).into(),
-        (None, None) => lehmer(left.abs(), right.abs()),
-    }
+#[derive(Clone, PartialEq, Eq, Hash)]
+pub(super) enum Form {
+    /// n ≠ −2¹²⁷, so that −n is one too.
+    Machine(i128),
+    /// Beyond that.
+    Long(BigInt),
 }
 
-/// Lehmer's method: quotients are guessed from the leading digits of both numbers for as long as
-/// they are certain, and applied together; when a machine word is left, [`gcd`] goes on.
-fn lehmer(mut greater: Integer, mut lesser: Integer) -> Integer {
-    if greater < lesser {
-        std::mem::swap(&mut greater, &mut lesser);
+impl Integer {
+    pub(super) fn form(&self) -> &Form {
+        &self.0
     }
-    while lesser.bits() > u64::from(u64::BITS) {
-        let shift = greater.bits() - 62;
-        let lead = |value: &Integer| i128::try_from(value >> shift).unwrap_or_default();
-        let [first, second] = cosequence(lead(&greater), lead(&lesser));
-        (greater, lesser) = if first[1] == 0 {
-            let rest = &greater % &lesser;
-            (lesser, rest)
-        } else {
-            let combine = |[a, b]: [i128; 2]| &greater * a + &lesser * b;
-            (combine(first), combine(second))
-        };
-    }
-    gcd(&greater, &lesser)
-}
 
-/// The steps of Euclid's algorithm that two numbers with the leading digits x ≥ y share for
-/// certain, as two combinations: the quotient is certain while ⌊(x + a)/(y + c)⌋ and
-/// ⌊(x + b)/(y + d)⌋ agree.   Knuth, The Art of Computer Programming, 4.5.2, algorithm L.
-fn cosequence(mut x: i128, mut y: i128) -> [[i128; 2]; 2] {
-    let (mut first, mut second) = ([1, 0], [0, 1]);
-    while y + second[0] != 0 && y + second[1] != 0 {
-        let quotient = (x + first[0]) / (y + second[0]);
-        if quotient != (x + first[1]) / (y + second[1]) {
-            break;
+    /// A number known to be no −2¹²⁷.
+    pub(super) fn of_machine(value: i128) -> Self {
+        Self(Form::Machine(value))
+    }
+
+    pub(super) fn of_long(value: BigInt) -> Self {
+        match i128::try_from(&value) {
+            Ok(machine) if machine != i128::MIN => Self(Form::Machine(machine)),
+            _ => Self(Form::Long(value)),
         }
-        let next = [0, 1].map(|index| first[index] - quotient * second[index]);
-        (first, second) = (second, next);
-        (x, y) = (y, x - quotient * y);
     }
-    [first, second]
+
+    /// The number as a machine number, if it is one.
+    #[must_use]
+    pub fn machine(&self) -> Option<i128> {
+        match &self.0 {
+            Form::Machine(own) => Some(*own),
+            Form::Long(_) => None,
+        }
+    }
+
+    /// The number of binary digits of |n|; 0 for 0.
+    #[must_use]
+    pub fn bits(&self) -> u64 {
+        match &self.0 {
+            Form::Machine(own) => (u128::BITS - own.unsigned_abs().leading_zeros()).into(),
+            Form::Long(own) => own.bits(),
+        }
+    }
+
+    /// |n|
+    #[must_use]
+    pub fn abs(&self) -> Self {
+        if Ring::sign(self).is_lt() {
+            -self
+        } else {
+            self.clone()
+        }
+    }
+
+    /// ⌊√n⌋; 0 for negative n
+    #[must_use]
+    pub fn sqrt(&self) -> Self {
+        match &self.0 {
+            Form::Machine(own) if *own <= 0 => Ring::zero(),
+            Form::Machine(own) => own.unsigned_abs().isqrt().into(),
+            Form::Long(own) if own.sign() == num_bigint::Sign::Minus => Ring::zero(),
+            Form::Long(own) => Self::of_long(own.sqrt()),
+        }
+    }
+
+    /// n to a power
+    #[must_use]
+    pub fn power(&self, exponent: u32) -> Self {
+        let bits = (0..u32::BITS - exponent.leading_zeros()).rev();
+        bits.fold(Self::from(1), |power, bit| {
+            let square = &power * &power;
+            if exponent >> bit & 1 == 1 {
+                &square * self
+            } else {
+                square
+            }
+        })
+    }
+
+    /// How often 2 divides it; none for 0.
+    #[must_use]
+    pub fn trailing_zeros(&self) -> Option<u64> {
+        match &self.0 {
+            Form::Machine(0) => None,
+            Form::Machine(own) => Some(own.trailing_zeros().into()),
+            Form::Long(own) => own.trailing_zeros(),
+        }
+    }
+
+    /// ⌊n/d⌋ and n − d ⌊n/d⌋; d is not 0
+    #[must_use]
+    pub fn div_mod_floor(&self, divisor: &Self) -> (Self, Self) {
+        let (quotient, remainder) = (self / divisor, self % divisor);
+        let signs = (Ring::sign(&remainder), Ring::sign(divisor));
+        if signs.0.is_ne() && signs.0 != signs.1 {
+            (quotient - 1, remainder + divisor)
+        } else {
+            (quotient, remainder)
+        }
+    }
+
+    /// ⌊n/d⌋; d is not 0
+    #[must_use]
+    pub fn div_floor(&self, divisor: &Self) -> Self {
+        self.div_mod_floor(divisor).0
+    }
+
+    /// The digits of |n| to the base 2⁶⁴, the lowest first.
+    pub(super) fn digits(&self) -> Vec<u64> {
+        match &self.0 {
+            Form::Machine(own) => {
+                let size = own.unsigned_abs();
+                let low = u64::try_from(size & u128::from(u64::MAX)).unwrap_or_default();
+                let high = u64::try_from(size >> 64).unwrap_or_default();
+                vec![low, high]
+            }
+            Form::Long(own) => own.iter_u64_digits().collect(),
+        }
+    }
 }
 
-/// The least common multiple, not negative.
-#[must_use]
-pub fn lcm(left: &Integer, right: &Integer) -> Integer {
-    if Zero::is_zero(left) || Zero::is_zero(right) {
-        return Zero::zero();
+/// 0
+impl Default for Integer {
+    fn default() -> Self {
+        Ring::zero()
     }
-    (left / gcd(left, right) * right).abs()
+}
+
+macro_rules! from_primitive {
+    ($($type:ty)*) => {$(
+        impl From<$type> for Integer {
+            fn from(value: $type) -> Self {
+                match i128::try_from(value) {
+                    Ok(machine) if machine != i128::MIN => Self(Form::Machine(machine)),
+                    _ => Self(Form::Long(BigInt::from(value))),
+                }
+            }
+        }
+    )*};
+}
+
+from_primitive!(i32 i64 i128 u8 u32 u64 u128 usize);
+
+macro_rules! into_primitive {
+    ($($type:ty)*) => {$(
+        /// Fails beyond the range of the type.
+        impl TryFrom<&Integer> for $type {
+            type Error = ();
+            fn try_from(value: &Integer) -> Result<Self, ()> {
+                <$type>::try_from(value.machine().ok_or(())?).map_err(|_| ())
+            }
+        }
+
+        /// Fails beyond the range of the type.
+        impl TryFrom<Integer> for $type {
+            type Error = ();
+            fn try_from(value: Integer) -> Result<Self, ()> {
+                Self::try_from(&value)
+            }
+        }
+    )*};
+}
+
+into_primitive!(i64 u32 u64 usize);
+
+impl PartialOrd for Integer {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Integer {
+    fn cmp(&self, other: &Self) -> Ordering {
+        match (&self.0, &other.0) {
+            (Form::Machine(left), Form::Machine(right)) => left.cmp(right),
+            (Form::Long(left), Form::Long(right)) => left.cmp(right),
+            // A long number is beyond every machine number, on the side of its sign.
+            (Form::Long(_), Form::Machine(_)) => Ring::sign(self),
+            (Form::Machine(_), Form::Long(_)) => Ring::sign(other).reverse(),
+        }
+    }
+}
+
+impl fmt::Display for Integer {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.0 {
+            Form::Machine(own) => fmt::Display::fmt(own, formatter),
+            Form::Long(own) => fmt::Display::fmt(own, formatter),
+        }
+    }
+}
+
+impl fmt::Debug for Integer {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, formatter)
+    }
+}
+
+impl FromStr for Integer {
+    type Err = ();
+
+    fn from_str(text: &str) -> Result<Self, ()> {
+        BigInt::from_str(text).map(Self::of_long).map_err(|_| ())
+    }
 }
 
 impl Ring for Integer {
     fn zero() -> Self {
-        Zero::zero()
+        Self::of_machine(0)
     }
 
     fn one() -> Self {
-        One::one()
+        Self::of_machine(1)
     }
 
     fn from_integer(value: &Integer) -> Self {
@@ -88,11 +232,11 @@ impl Ring for Integer {
     }
 
     fn is_zero(&self) -> bool {
-        Zero::is_zero(self)
+        self.machine() == Some(0)
     }
 
     fn is_one(&self) -> bool {
-        One::is_one(self)
+        self.machine() == Some(1)
     }
 
     fn plus(&self, other: &Self) -> Self {
@@ -108,7 +252,7 @@ impl Ring for Integer {
     }
 
     fn add_product(&mut self, left: &Self, right: &Self) {
-        *self += left * right;
+        *self = &*self + &(left * right);
     }
 
     fn negated(&self) -> Self {
@@ -124,8 +268,8 @@ impl Ring for Integer {
     }
 
     fn quotient(&self, divisor: &Self) -> Option<Self> {
-        let (quotient, remainder) = self.div_rem(divisor);
-        Zero::is_zero(&remainder).then_some(quotient)
+        let quotient = self / divisor;
+        (&quotient * divisor == *self).then_some(quotient)
     }
 
     fn content(&self) -> Integer {
@@ -133,7 +277,11 @@ impl Ring for Integer {
     }
 
     fn sign(&self) -> Ordering {
-        self.cmp(&Zero::zero())
+        match &self.0 {
+            Form::Machine(own) => own.cmp(&0),
+            Form::Long(own) if own.sign() == num_bigint::Sign::Minus => Ordering::Less,
+            Form::Long(_) => Ordering::Greater,
+        }
     }
 
     fn height(&self) -> usize {
@@ -149,62 +297,10 @@ impl Ring for Integer {
     }
 
     fn bits(&self) -> u64 {
-        num_bigint::BigInt::bits(self)
+        Self::bits(self)
     }
 
     fn as_integer(&self) -> Option<&Integer> {
         Some(self)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn divisors_of_words_and_of_long_integers_agree() {
-        let long = Integer::from(6) << 200_u32;
-        let values = [0, 1, -12, 18, 1_i64 << 40].map(Integer::from);
-        for left in values.iter().chain([&long]) {
-            for right in values.iter().chain([&long]) {
-                assert_eq!(gcd(left, right), left.gcd(right));
-                assert_eq!(gcd(left, &(right * &long)), left.gcd(&(right * &long)));
-            }
-        }
-    }
-
-    /// A number of many digits, from a linear congruence.
-    fn digits(seed: u64, words: u32) -> Integer {
-        let step = |value: Integer, index: u32| {
-            let word = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15).rotate_left(index);
-            (value << 64) + word.wrapping_mul(u64::from(index) + 0x2545_f491_4f6c_dd1d)
-        };
-        (0..words).fold(Integer::from(seed), step)
-    }
-
-    #[test]
-    fn divisors_agree_with_the_library() {
-        for seed in 1..200_u64 {
-            let words = u32::try_from(seed % 7).unwrap_or_default();
-            let (left, right) = (digits(seed, words), digits(seed + 1_000, 6 - words));
-            let common = digits(seed * 77, words / 2);
-            for (a, b) in [
-                (left.clone(), right.clone()),
-                (&left * &common, &right * &common),
-                (&left * &common, common.clone()),
-                (-&left, &left + Integer::from(1)),
-            ] {
-                assert_eq!(gcd(&a, &b), num_integer::Integer::gcd(&a, &b), "{a} {b}");
-            }
-        }
-    }
-
-    #[test]
-    fn neighbours_of_the_golden_ratio_take_the_most_steps() {
-        let (mut a, mut b) = (Integer::from(1), Integer::from(1));
-        for _ in 0..1_000 {
-            (a, b) = (&a + &b, a);
-            assert!(One::is_one(&gcd(&a, &b)));
-        }
     }
 }

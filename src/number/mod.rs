@@ -6,11 +6,13 @@
 
 mod basis;
 mod complex;
+mod divisor;
 mod enclosure;
 mod field;
 mod generator;
 mod integer;
 mod modulus;
+mod operators;
 mod place;
 mod rational;
 mod surd;
@@ -21,10 +23,11 @@ mod unit;
 pub use basis::Basis;
 use basis::radicals;
 pub use complex::Complex;
+pub use divisor::{gcd, lcm};
 pub use enclosure::Enclosure;
 pub use field::{Field, Ring};
 pub use generator::Generator;
-pub use integer::{Integer, gcd, lcm};
+pub use integer::Integer;
 pub use modulus::Modulus;
 pub use place::Place;
 pub use rational::Rational;

@@ -1,4 +1,4 @@
-use super::Integer;
+use super::{Integer, Ring};
 
 /// How far the first of them lie below 2⁶².
 #[rustfmt::skip]
@@ -87,13 +87,22 @@ impl Modulus {
     /// The image of an integer.
     #[must_use]
     pub fn embed_integer(&self, value: &Integer) -> u64 {
+        if let Some(word) = value.machine().and_then(|own| i64::try_from(own).ok()) {
+            let image = self.embed(word.unsigned_abs());
+            return if word < 0 {
+                self.minus(0, image)
+            } else {
+                image
+            };
+        }
         // Digits d_k of 64 bits: Horner's rule in the base 2⁶⁴, whose image is 2¹²⁸ mod q.
-        let sum = value.iter_u64_digits().rev().fold(0, |sum, digit| {
-            self.plus(self.times(sum, self.square), self.embed(digit))
+        let sum = value.digits().iter().rev().fold(0, |sum, digit| {
+            self.plus(self.times(sum, self.square), self.embed(*digit))
         });
-        match value.sign() {
-            num_bigint::Sign::Minus => self.minus(0, sum),
-            _ => sum,
+        if Ring::sign(value).is_lt() {
+            self.minus(0, sum)
+        } else {
+            sum
         }
     }
 

@@ -3,14 +3,14 @@ use std::fmt;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 use std::str::FromStr;
 
-use num_rational::BigRational;
-use num_traits::{One, Pow, Signed, Zero};
+use num_rational::Ratio;
+use num_traits::{One, Signed, Zero};
 
 use super::{Field, Integer, gcd};
 
 /// A rational number in lowest terms with a positive denominator.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct Rational(BigRational);
+pub struct Rational(Ratio<Integer>);
 
 impl Rational {
     /// numerator / denominator; the denominator is not 0
@@ -23,17 +23,14 @@ impl Rational {
             common
         };
         if One::is_one(&common) {
-            return Self(BigRational::new_raw(numerator, denominator));
+            return Self(Ratio::new_raw(numerator, denominator));
         }
-        Self(BigRational::new_raw(
-            numerator / &common,
-            denominator / &common,
-        ))
+        Self(Ratio::new_raw(numerator / &common, denominator / &common))
     }
 
     /// numerator / denominator, coprime, the denominator positive
     pub(super) fn in_lowest_terms(numerator: Integer, denominator: Integer) -> Self {
-        Self(BigRational::new_raw(numerator, denominator))
+        Self(Ratio::new_raw(numerator, denominator))
     }
 
     /// The numerator, with the sign.
@@ -68,8 +65,17 @@ impl Rational {
         if Zero::is_zero(&self.0) && exponent < 0 {
             return None;
         }
-        let exponent = i32::try_from(exponent).ok()?;
-        Some(Self(self.0.clone().pow(exponent)))
+        let base = if exponent < 0 {
+            self.0.recip()
+        } else {
+            self.0.clone()
+        };
+        let size = u32::try_from(exponent.unsigned_abs()).ok()?;
+        let power = |part: &Integer| part.power(size);
+        Some(Self(Ratio::new_raw(
+            power(base.numer()),
+            power(base.denom()),
+        )))
     }
 
     /// The number that a literal `digits[.digits][e[±]digits]` denotes; none if it is malformed
@@ -90,7 +96,7 @@ impl Rational {
         Some(if shift < 0 {
             Self::over_power_of_ten(digits, size)
         } else {
-            Self::from(digits * Pow::pow(Integer::from(10), size))
+            Self::from(digits * Integer::from(10).power(size))
         })
     }
 
@@ -108,16 +114,16 @@ impl Rational {
             numerator /= &five;
             fives += 1;
         }
-        let denominator = Pow::pow(five, exponent - fives) << (exponent - twos);
-        Self(BigRational::new_raw(numerator, denominator))
+        let denominator = five.power(exponent - fives) << (exponent - twos);
+        Self(Ratio::new_raw(numerator, denominator))
     }
 
     /// The number to so many digits behind the point, the last one rounded half away from zero,
     /// for reading only.
     #[must_use]
     pub fn decimal(&self, digits: u32) -> String {
-        let scale = Pow::pow(Integer::from(10), digits);
-        let scaled = Self(&self.0 * BigRational::from_integer(scale))
+        let scale = Integer::from(10).power(digits);
+        let scaled = Self(&self.0 * Ratio::from_integer(scale))
             .0
             .round()
             .to_integer();
@@ -186,7 +192,7 @@ impl Field for Rational {
         if self.0.is_negative() {
             return None;
         }
-        let root = Self(BigRational::new_raw(
+        let root = Self(Ratio::new_raw(
             self.numerator().sqrt(),
             self.denominator().sqrt(),
         ));
@@ -196,13 +202,13 @@ impl Field for Rational {
 
 impl From<i64> for Rational {
     fn from(value: i64) -> Self {
-        Self(BigRational::from_integer(value.into()))
+        Self(Ratio::from_integer(value.into()))
     }
 }
 
 impl From<Integer> for Rational {
     fn from(value: Integer) -> Self {
-        Self(BigRational::from_integer(value))
+        Self(Ratio::from_integer(value))
     }
 }
 

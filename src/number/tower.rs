@@ -1,7 +1,5 @@
 use std::sync::{Arc, RwLock};
 
-use num_traits::{ToPrimitive, Zero};
-
 use super::{Field, Generator, Integer, Rational, Ring, Surd, SurdInteger};
 
 /// A real field ℚ(√a₁)(√a₂)… that grows by square roots and never shrinks: one for each program.
@@ -219,16 +217,16 @@ fn square_factor(content: &Integer) -> Integer {
     let mut factor = Integer::from(1);
     for prime in 2_u32..1_000 {
         let square = Integer::from(prime * prime);
-        while Zero::is_zero(&(&rest % &square)) {
+        while Ring::is_zero(&(&rest % &square)) {
             rest /= &square;
             factor *= prime;
         }
         // Once only: what is left of a prime does not occur twice.
-        if rest.to_u32().is_some_and(|rest| rest < prime * prime) {
+        if u32::try_from(&rest).is_ok_and(|rest| rest < prime * prime) {
             return factor;
         }
         let prime = Integer::from(prime);
-        if Zero::is_zero(&(&rest % &prime)) {
+        if Ring::is_zero(&(&rest % &prime)) {
             rest /= prime;
         }
     }

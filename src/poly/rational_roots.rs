@@ -121,7 +121,7 @@ fn lift(numerators: &[Integer], root: u32, prime: u32, bound: &Integer) -> (Inte
         }
         // The inverse belongs to the last root, whose slope agrees with this one to half the
         // digits; one step makes it good to all digits of this root.
-        inverse = (&inverse * (2 - slope * &inverse)) % &modulus;
+        inverse = (&inverse * (Integer::from(2) - slope * &inverse)) % &modulus;
         root = (&root - value * &inverse) % &modulus;
     }
     (root, modulus)
