@@ -228,7 +228,8 @@ struct Candidate {
     index: Enclosure,
 }
 
-/// The precision, in bits, to which indices are compared at most.
+/// The precisions, in bits, to which indices are compared first and at most.
+const START: u32 = 32;
 const PRECISION: u32 = 1_024;
 
 impl Candidate {
@@ -237,7 +238,7 @@ impl Candidate {
         Self {
             branch,
             cusp: preimage.has_cusp(domain),
-            index: rotation_index(&preimage, domain, 64),
+            index: rotation_index(&preimage, domain, START),
             solution,
             preimage,
         }

@@ -17,7 +17,8 @@ pub fn rotation_index(preimage: &Preimage, domain: &Interval, precision: u32) ->
     if turning.is_zero() {
         return total;
     }
-    let step = Real::ratio(1.into(), Integer::from(1) << precision);
+    // There |Δ arg ω| falls with the square of the width.
+    let step = Real::ratio(1.into(), Integer::from(1) << precision.div_ceil(2));
     let mut from = domain.start().clone();
     for mut root in real_roots(&turning, domain.start(), domain.end()) {
         root.refine(&step);

@@ -64,6 +64,12 @@ impl Double {
     /// The number that it is.
     #[must_use]
     pub fn exact(self) -> Real {
+        Real::from(self.rational())
+    }
+
+    /// The number that it is, as a rational one.
+    #[must_use]
+    pub fn rational(self) -> Rational {
         let biased = i64::try_from(self.bits << 1 >> (FRACTION_BITS + 1)).unwrap_or_default();
         let fraction = self.bits & ((1 << FRACTION_BITS) - 1);
         let leading = u64::from(biased > 0) << FRACTION_BITS;
@@ -75,7 +81,7 @@ impl Double {
             mantissa
         };
         let (numerator, denominator) = shifted(&mantissa, &Integer::from(1), -step);
-        Real::from(Rational::new(numerator, denominator))
+        Rational::new(numerator, denominator)
     }
 
     /// The double itself.

@@ -2,7 +2,7 @@ use std::collections::HashMap;
 
 use crate::diag::Code;
 use crate::net::{ControlNet, Knots};
-use crate::number::{Field, Real};
+use crate::number::{Field, Rational, Real};
 
 use super::approx::magnitude;
 use super::{Double, ExportFault, Fidelity};
@@ -85,7 +85,9 @@ impl RoundedNet {
         }
         let stable = exact_knots || (shape_stable(net.knots_u()) && shape_stable(net.knots_v()));
         let max_error = stable.then(|| self.bound(net, &points)).flatten();
-        Fidelity::Rounded { max_error }
+        Fidelity::Rounded {
+            max_error: max_error.map(Real::from),
+        }
     }
 
     /// A bound of what a coordinate of a surface point moves by; none without positive weights.
@@ -94,25 +96,27 @@ impl RoundedNet {
     /// and let s be the width of the coordinate. The mean of the rounded points is within e of the
     /// mean of the exact ones under equal weights, and Σ wᵢ(1+δᵢ)pᵢ / Σ wᵢ(1+δᵢ) − p =
     /// Σ wᵢδᵢ(pᵢ−p) / Σ wᵢ(1+δᵢ) is at most sδ/(1−δ). Together: e + sδ/(1−δ).
-    fn bound(&self, net: &ControlNet, errors: &[Real; 3]) -> Option<Real> {
+    fn bound(&self, net: &ControlNet, errors: &[Rational; 3]) -> Option<Rational> {
         if !net.all_positive() {
             return None;
         }
         let weights = net.weights().iter().zip(self.weights.iter().flatten());
         let relative = weights.map(|(exact, double)| {
-            let inverse = exact.inverse().unwrap_or_else(Real::zero);
-            absolute(&double.exact().times(&inverse).minus(&Real::one()))
+            let [least, _] = range(exact);
+            Some(distance(exact, double).times(&least.inverse()?))
         });
-        let relative = relative.max().unwrap_or_else(Real::zero);
-        let factor = Real::one().minus(&relative);
+        let relative: Option<Vec<Rational>> = relative.collect();
+        let relative = relative?.into_iter().max()?;
+        let factor = Rational::one().minus(&relative);
         if !factor.sign().is_gt() {
             return None;
         }
         let factor = relative.times(&factor.inverse()?);
         let axes = errors.iter().enumerate().filter_map(|(axis, own)| {
-            let values = || self.axis(net, axis).map(|(exact, _)| exact);
-            let width = values().max()?.minus(values().min()?);
-            Some(own.plus(&width.times(&factor)))
+            let ranges = || self.axis(net, axis).map(|(exact, _)| range(exact));
+            let greatest = ranges().map(|[_, upper]| upper).max()?;
+            let least = ranges().map(|[lower, _]| lower).min()?;
+            Some(own.plus(&greatest.minus(&least).times(&factor)))
         });
         axes.max()
     }
@@ -160,10 +164,38 @@ impl RoundedNet {
     }
 }
 
-/// The greatest distance of numbers from their doubles.
-fn error<'a>(pairs: impl Iterator<Item = (&'a Real, &'a Double)>) -> Real {
-    let distances = pairs.map(|(exact, double)| absolute(&double.exact().minus(exact)));
-    distances.max().unwrap_or_else(Real::zero)
+/// A bound for the greatest distance of numbers from their doubles.
+fn error<'a>(pairs: impl Iterator<Item = (&'a Real, &'a Double)>) -> Rational {
+    let distances = pairs.map(|(exact, double)| distance(exact, double));
+    distances.max().unwrap_or_else(Rational::zero)
+}
+
+/// A bound for the distance of a number from its double, the distance itself if the number is
+/// rational.
+fn distance(exact: &Real, double: &Double) -> Rational {
+    let double = double.rational();
+    let ends = range(exact).map(|end| {
+        let gap = end.minus(&double);
+        if gap.sign().is_lt() {
+            gap.negated()
+        } else {
+            gap
+        }
+    });
+    let [lower, upper] = ends;
+    lower.max(upper)
+}
+
+/// Binary digits behind the point in a bound for an irrational number: more than doubles of
+/// coordinates have.
+const BOUND_BITS: u32 = 160;
+
+/// Rational bounds of a number; itself twice if it is rational.
+fn range(exact: &Real) -> [Rational; 2] {
+    match exact.as_rational() {
+        Some(rational) => [rational.clone(), rational],
+        None => exact.enclose(BOUND_BITS).ends(),
+    }
 }
 
 /// |a|

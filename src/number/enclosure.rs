@@ -87,6 +87,11 @@ impl Enclosure {
     /// a b
     #[must_use]
     pub fn times(&self, other: &Self) -> Self {
+        let (left, right) = (self.sign(), other.sign());
+        if left == Some(Ordering::Greater) && right == Some(Ordering::Greater) {
+            let (lower, upper) = (&self.lower * &other.lower, &self.upper * &other.upper);
+            return self.rescaled(&lower, &upper);
+        }
         let products = [
             &self.lower * &other.lower,
             &self.lower * &other.upper,
@@ -102,9 +107,14 @@ impl Enclosure {
                 upper = product;
             }
         }
+        self.rescaled(&lower, &upper)
+    }
+
+    /// The product of two scaled intervals, scaled once.
+    fn rescaled(&self, lower: &Integer, upper: &Integer) -> Self {
         Self::new(
             lower >> self.precision,
-            ceiling_shift(&upper, self.precision),
+            ceiling_shift(upper, self.precision),
             self.precision,
         )
     }
@@ -270,7 +280,7 @@ fn arctangent_of_inverse(inverse: &Integer, precision: u32) -> Enclosure {
 ///
 /// It must succeed at some precision: the caller asks only what has an answer.
 pub(super) fn refine<T>(mut attempt: impl FnMut(u32) -> Option<T>) -> T {
-    let mut precision = 64;
+    let mut precision = 48;
     loop {
         if let Some(answer) = attempt(precision) {
             return answer;
