@@ -1,10 +1,11 @@
 use crate::curve::kinds::{self, Arguments, Kind, Shape, Slot};
-use crate::diag::{Code, Span};
+use crate::diag::{Code, Diagnostic, Span};
 use crate::number::Real;
 use crate::syntax::ast::{Argument, Expr, ExprKind, Name};
 
 use super::lowerer::{Lowered, Lowerer, Reported};
 use super::scope::Scope;
+use super::spelling;
 use super::value::Value;
 
 impl<'a> Lowerer<'a> {
@@ -61,7 +62,15 @@ impl<'a> Lowerer<'a> {
                     .label
                     .as_ref()
                     .map_or(argument.value.span, |own| own.span);
-                return Err(self.report_usage(kind, place, "this argument has no place here"));
+                let meant = argument.label.as_ref().and_then(|label| {
+                    let labels = kind.slots.iter().filter_map(|own| own.label);
+                    Some((label.span, spelling::nearest(&label.text, labels)?))
+                });
+                let finding = usage(kind, place, "this argument has no place here");
+                return Err(self.report(match meant {
+                    Some((span, meant)) => finding.fix(span, meant),
+                    None => finding,
+                }));
             };
             if values[slot].is_some() {
                 return Err(self.report_usage(
@@ -81,9 +90,7 @@ impl<'a> Lowerer<'a> {
     }
 
     fn report_usage(&mut self, kind: &Kind, span: Span, what: &str) -> Reported {
-        let finding =
-            crate::diag::Diagnostic::new(Code::E0107, span, format!("`{}`: {what}", kind.name));
-        self.report(finding.help(format!("write {}", kind.usage)))
+        self.report(usage(kind, span, what))
     }
 
     fn shaped(&mut self, kind: &Kind, slot: &Slot, expr: &'a Expr) -> Lowered<kinds::Value> {
@@ -106,11 +113,7 @@ impl<'a> Lowerer<'a> {
                             "a point with {} coordinates where the others have {length}",
                             points[index].len()
                         );
-                        Err(self.report(crate::diag::Diagnostic::new(
-                            Code::E0106,
-                            entries[index].span,
-                            message,
-                        )))
+                        Err(self.report(Diagnostic::new(Code::E0106, entries[index].span, message)))
                     }
                 }
             }
@@ -147,12 +150,14 @@ impl<'a> Lowerer<'a> {
                 .collect(),
             other => {
                 let message = format!("a point is needed here, this is {}", other.type_name());
-                Err(self.report(crate::diag::Diagnostic::new(
-                    Code::E0106,
-                    expr.span,
-                    message,
-                )))
+                Err(self.report(Diagnostic::new(Code::E0106, expr.span, message)))
             }
         }
     }
+}
+
+/// E0107, with the right form of the constructor.
+fn usage(kind: &Kind, span: Span, what: &str) -> Diagnostic {
+    let message = format!("`{}`: {what}", kind.name);
+    Diagnostic::new(Code::E0107, span, message).help(format!("write {}", kind.usage))
 }

@@ -6,7 +6,8 @@ use crate::sweep::{CurveProperty, Form, Scalar};
 use crate::syntax::ast::{Argument, Reference, Role};
 
 use super::lowerer::{Lowered, Lowerer, Reported};
-use super::scope::Scope;
+use super::scope::{Binding, Scope};
+use super::spelling;
 use super::value::Value;
 
 /// A property of curves by its name: a scalar, or three coordinates.
@@ -77,9 +78,13 @@ impl<'a> Lowerer<'a> {
             self.finding(scope, Code::E0110, name.span, message)
         } else {
             let message = format!("a curve has no property `{}`", name.text);
-            let help = "the properties are x, y, z, σ, s, t, n, κ and ρ";
-            self.finding(scope, Code::E0111, name.span, message)
-                .help(help)
+            let finding = self.finding(scope, Code::E0111, name.span, message);
+            match spelling::property_meant(&name.text) {
+                Some(meant) => finding
+                    .help(format!("did you mean `{meant}`?"))
+                    .fix(name.span, meant),
+                None => finding.help("the properties are x, y, z, σ, s, t, n, κ and ρ"),
+            }
         };
         self.report(finding)
     }
@@ -100,7 +105,11 @@ impl<'a> Lowerer<'a> {
         if scope.frame.is_some() {
             let message = format!("inside a construction `{text}` needs its curve's name");
             let finding = self.finding(scope, Code::E0105, function.span, message);
-            return Err(self.report(finding.help(format!("write {}", qualified("c")))));
+            let Some(curve) = only_curve_handed_over(scope, &at) else {
+                return Err(self.report(finding.help(format!("write {}", qualified("c")))));
+            };
+            let finding = finding.help(format!("write {}", qualified(&curve)));
+            return Err(self.report(finding.fix(function.span, format!("{curve}.{text}"))));
         }
         let role = match (at.depends_on(Parameter::U), at.depends_on(Parameter::V)) {
             (true, false) => Role::Profile,
@@ -113,10 +122,12 @@ impl<'a> Lowerer<'a> {
                 };
                 let message = format!("the argument of `{text}` {why}: the curve must be named");
                 let finding = self.finding(scope, Code::E0105, span, message);
-                let near = self
-                    .only_curve(Role::Sweep, span.file)
-                    .map_or("c", |own| own.text.as_str());
-                return Err(self.report(finding.help(format!("write {}", qualified(near)))));
+                let Ok(near) = self.only_curve(Role::Sweep, span.file) else {
+                    return Err(self.report(finding.help(format!("write {}", qualified("c")))));
+                };
+                let finding = finding.help(format!("write {}", qualified(&near.text)));
+                let fix = format!("{}.{text}", near.text);
+                return Err(self.report(finding.fix(function.span, fix)));
             }
         };
         let what = if role == Role::Profile {
@@ -231,4 +242,17 @@ impl<'a> Lowerer<'a> {
         );
         self.report(Diagnostic::new(Code::W1003, definition.span(), message));
     }
+}
+
+/// The only curve among the parameters of the construction around that runs in the parameter on
+/// which an argument depends.
+fn only_curve_handed_over(scope: &Scope<'_>, at: &Scalar) -> Option<String> {
+    let runs_in = |parameter: Parameter| at.depends_on(parameter);
+    let bindings = scope.frame.as_ref()?.bindings.borrow();
+    let mut names = bindings.iter().filter_map(|(name, binding)| match binding {
+        Binding::Curve(curve) if runs_in(curve.parameter()) => Some(name.clone()),
+        _ => None,
+    });
+    let only = names.next()?;
+    names.next().is_none().then_some(only)
 }

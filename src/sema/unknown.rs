@@ -6,9 +6,19 @@ use crate::syntax::ast::Name;
 use super::call::BUILT_IN;
 use super::lowerer::{Lowerer, Reported};
 use super::scope::Scope;
+use super::spelling;
 
 /// Words of mathematics that the language cannot have, for they are not rational.
 const IRRATIONAL: [&str; 8] = ["pi", "π", "sin", "cos", "tan", "exp", "log", "ln"];
+
+/// What only an expectation may ask.
+const QUALITIES: [&str; 5] = [
+    "bidegree",
+    "common_factor",
+    "positive_weights",
+    "rational_offset",
+    "regular",
+];
 
 impl Lowerer<'_> {
     /// Reports a name that nothing declares, with the way out where one is known.
@@ -37,26 +47,21 @@ impl Lowerer<'_> {
 
     /// The nearest spelling that means something, if it is near.
     fn nearest(&self, name: &str, scope: &Scope<'_>) -> Option<String> {
+        if scope.frame.is_none()
+            && let Some(property) = spelling::property_misspelt(name)
+        {
+            return Some(property.to_owned());
+        }
         let frame = scope.frame.as_ref();
         let local: Vec<String> = frame
             .map(|frame| frame.bindings.borrow().keys().cloned().collect())
             .unwrap_or_default();
         let fixed = BUILT_IN
             .into_iter()
-            .chain(kinds::ALL.iter().map(|kind| kind.name));
+            .chain(kinds::ALL.iter().map(|kind| kind.name))
+            .chain(QUALITIES.into_iter().filter(|_| frame.is_none()));
         let declared = self.definitions.keys().copied().chain(fixed);
-        // A single letter is like any other; that is no help.
-        let limit = match name.chars().count() {
-            0 | 1 => 0,
-            length => length.div_ceil(3),
-        };
-        local
-            .into_iter()
-            .chain(declared.map(str::to_owned))
-            .filter(|own| own != name && own.chars().count() > 1)
-            .map(|own| (strsim::damerau_levenshtein(name, &own), own))
-            .filter(|(distance, _)| *distance <= limit)
-            .min()
-            .map(|(_, own)| own)
+        let known = local.into_iter().chain(declared.map(str::to_owned));
+        spelling::nearest(name, known)
     }
 }
