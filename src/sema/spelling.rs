@@ -65,7 +65,8 @@ pub(super) fn unit_meant(word: &str) -> Option<&'static str> {
     known.next().or(by_name.map(|(_, unit)| *unit))
 }
 
-/// The nearest of some words, if it is near: no more than a third of the letters differ.
+/// The nearest of some words, if it is near: no more than a third of the letters differ, and
+/// something of it remains.
 ///
 /// A single letter is like any other; that is no help.
 pub(super) fn nearest<T: AsRef<str> + Ord>(
@@ -79,7 +80,7 @@ pub(super) fn nearest<T: AsRef<str> + Ord>(
     known
         .filter(|own| own.as_ref() != word && own.as_ref().chars().count() > 1)
         .map(|own| (strsim::damerau_levenshtein(word, own.as_ref()), own))
-        .filter(|(distance, _)| *distance <= limit)
+        .filter(|(distance, own)| *distance <= limit && *distance < own.as_ref().chars().count())
         .min()
         .map(|(_, own)| own)
 }

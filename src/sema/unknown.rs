@@ -1,7 +1,8 @@
 use crate::curve::kinds;
-use crate::diag::Code;
+use crate::diag::{Code, Span};
 use crate::number::Unit;
 use crate::syntax::ast::Name;
+use crate::syntax::lexer::Keyword;
 
 use super::call::BUILT_IN;
 use super::lowerer::{Lowerer, Reported};
@@ -10,6 +11,9 @@ use super::spelling;
 
 /// Words of mathematics that the language cannot have, for they are not rational.
 const IRRATIONAL: [&str; 8] = ["pi", "π", "sin", "cos", "tan", "exp", "log", "ln"];
+
+/// How far back the start of a line is looked for.
+const LONGEST_LINE: usize = 200;
 
 /// What only an expectation may ask.
 const QUALITIES: [&str; 5] = [
@@ -27,9 +31,18 @@ impl Lowerer<'_> {
         if self.is_full() || self.broken.contains(&text) {
             return Reported;
         }
+        let lost = self.lost_keyword(name.span);
+        if lost.is_some_and(|(first, _)| first != name.span) {
+            // The whole line was meant to be a declaration, and its first word is reported.
+            return Reported;
+        }
         let message = format!("`{text}` is not declared");
         let finding = self.finding(scope, Code::E0101, name.span, message);
-        let finding = if IRRATIONAL.contains(&text) {
+        let finding = if let Some((span, keyword)) = lost {
+            finding
+                .help(format!("write `{keyword}`"))
+                .fix(span, keyword)
+        } else if IRRATIONAL.contains(&text) {
             finding.help("all values are rational: `turn(h)` is the cosine and sine of 2 arctan h")
         } else if Unit::from_symbol(text).is_some() {
             finding.help(format!(
@@ -43,6 +56,39 @@ impl Lowerer<'_> {
             finding
         };
         self.report(finding)
+    }
+
+    /// The undeclared word at the start of the line of a place, and the keyword that it was
+    /// probably meant to be, where another word follows it: the line went into the value of the
+    /// declaration before.
+    fn lost_keyword(&self, place: Span) -> Option<(Span, &'static str)> {
+        let text = self.sources.map.file(place.file).text.as_bytes();
+        let before = text.get(..place.start as usize)?;
+        let earliest = before.len().saturating_sub(LONGEST_LINE);
+        let line = before[earliest..]
+            .iter()
+            .rposition(|own| b"\n\r".contains(own))?;
+        let start = earliest + line + 1;
+        let start = start + text[start..].iter().position(|own| !b" \t".contains(own))?;
+        let length = text[start..]
+            .iter()
+            .position(|own| !own.is_ascii_alphabetic())?;
+        let span = Span::new(place.file, start, start + length);
+        let behind = text.get(start + length..)?.trim_ascii_start();
+        let goes_on = behind
+            .first()
+            .is_some_and(|own| own.is_ascii_alphabetic() || *own == b'"');
+        let word = self.sources.map.slice(span);
+        let blank = text.get(start + length) == Some(&b' ');
+        if !goes_on || !blank || self.definitions.contains_key(word) {
+            return None;
+        }
+        Some((
+            span,
+            Keyword::meant(word)
+                .filter(|own| own.as_str() != word)?
+                .as_str(),
+        ))
     }
 
     /// The nearest spelling that means something, if it is near.

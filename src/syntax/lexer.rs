@@ -56,6 +56,21 @@ keywords! {
 }
 
 impl Keyword {
+    /// The keyword of a declaration that a word was probably meant to be.
+    #[must_use]
+    pub fn meant(word: &str) -> Option<Keyword> {
+        if !(3..=20).contains(&word.len()) {
+            return None;
+        }
+        let keywords = Keyword::ALL.iter().copied();
+        keywords
+            .filter(|keyword| keyword.begins_declaration())
+            .map(|keyword| (strsim::damerau_levenshtein(word, keyword.as_str()), keyword))
+            .filter(|(distance, keyword)| *distance <= 1 + usize::from(keyword.as_str().len() > 4))
+            .min_by_key(|(distance, _)| *distance)
+            .map(|(_, keyword)| keyword)
+    }
+
     /// Whether a declaration begins with it.
     #[must_use]
     pub fn begins_declaration(self) -> bool {

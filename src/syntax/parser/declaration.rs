@@ -387,17 +387,11 @@ pub(super) fn misspelt_keyword(input: Stream<'_>) -> Option<(usize, Keyword)> {
 /// The keyword that a name followed by a name or a string was probably meant to be.
 pub(super) fn nearly_keyword(source: &Source<'_>, index: usize) -> Option<Keyword> {
     let word = source.written(source.token(index));
-    let is_word = source.kind(index) == TokenKind::Name && (3..=20).contains(&word.len());
+    let is_word = source.kind(index) == TokenKind::Name;
     if !is_word || !matches!(source.kind(index + 1), TokenKind::Name | TokenKind::Text) {
         return None;
     }
-    let keywords = Keyword::ALL.iter().copied();
-    keywords
-        .filter(|keyword| keyword.begins_declaration())
-        .map(|keyword| (strsim::damerau_levenshtein(word, keyword.as_str()), keyword))
-        .filter(|(distance, keyword)| *distance <= 1 + usize::from(keyword.as_str().len() > 4))
-        .min_by_key(|(distance, _)| *distance)
-        .map(|(_, keyword)| keyword)
+    Keyword::meant(word)
 }
 
 /// Whether the `=` at an index belongs to a `where` that is misspelt: `whre q = …`.

@@ -163,7 +163,12 @@ fn quoted(source: &Source<'_>, at: usize) -> Option<Edit> {
 
 /// The edit where a bracket is closed by one of the other kind, or by that of the bracket around
 /// it: what the counts of brackets in this declaration say.
-pub(super) fn closing_edit(source: &Source<'_>, at: usize, closing: &str) -> Option<Edit> {
+pub(super) fn closing_edit(
+    source: &Source<'_>,
+    opener: Span,
+    at: usize,
+    closing: &str,
+) -> Option<Edit> {
     use TokenKind::*;
     let starts = (0..at).rev().find(|own| source.begins_declaration(*own))?;
     let mut surplus = (0_i64, 0_i64);
@@ -178,9 +183,11 @@ pub(super) fn closing_edit(source: &Source<'_>, at: usize, closing: &str) -> Opt
         }
     }
     let span = source.span(source.token(at));
+    let inside = source.slice(end_of(opener).to(start_of(span)));
     match (surplus, closing) {
         ((1, -1), ")") | ((-1, 1), "]") => Some((span, closing.to_owned())),
-        ((1, 0), ")") | ((0, 1), "]") => Some((start_of(span), closing.to_owned())),
+        ((1, 0), ")") if !inside.contains(['(', '[']) => Some((start_of(span), closing.to_owned())),
+        ((0, 1), "]") => Some((start_of(span), closing.to_owned())),
         _ => None,
     }
 }

@@ -145,7 +145,7 @@ fn unclosed(
         let message = format!("expected {what}, found {}", source.described(noticed));
         let finding = Diagnostic::new(Code::E0006, source.span(noticed), message)
             .related(opener, format!("{} is open", brackets.opening()));
-        match closing_edit(source, at, brackets.closing().trim_matches('`')) {
+        match closing_edit(source, opener, at, brackets.closing().trim_matches('`')) {
             Some((span, text)) => finding.fix(span, text),
             None => finding,
         }
