@@ -142,6 +142,11 @@ const CASES: &[(Code, &str, &str)] = &[
     (Code::E0006, "surfce R = (u, v, 0)", "surface R = (u, v, 0)"),
     (
         Code::E0101,
+        "let raduis = 2\nsurface R = (u, v, radius u + radius)",
+        "let radius = 2\nsurface R = (u, v, radius u + radius)",
+    ),
+    (
+        Code::E0101,
         "surface R = (u, v, 0)\nexpct regular(R)",
         "surface R = (u, v, 0)\nexpect regular(R)",
     ),
@@ -441,74 +446,64 @@ fn the_fixes_of_the_pages_repair_their_findings() {
 }
 
 /// How many slips are tried.
-const SLIPS: usize = 400;
+const SLIPS: usize = 800;
 /// How many of them must be offered a fix for the test to say something.
-const FIXED: usize = 120;
+const FIXED: usize = 300;
 
-/// A text with one small slip in it, and what it is; none where the slip does not fit.
+/// Kinds of slips in signs: what stands in a text, and what is written instead.
+const SIGNS: [(&[&str], &[&str]); 9] = [
+    (&["^2", "^3"], &["²", "**2", "^+2"]),
+    (&[" = ", " == ", " ("], &[" == ", " = ", " := ", "  "]),
+    (&["), ("], &[") ("]),
+    (&["c"], &["с"]),
+    (&["x"], &["х"]),
+    (&["a"], &["а"]),
+    (&["-"], &["–", "\u{2010}"]),
+    (&["]", ")", "[", "("], &["]", ")", "[", "(", " "]),
+    (&[" in ", " on "], &[" im ", " om ", " "]),
+];
+
+/// A random entry.
+fn chosen<T: Copy>(random: &mut Random, list: &[T]) -> Option<T> {
+    let bound = u64::try_from(list.len()).ok().filter(|own| *own > 0)?;
+    let index = usize::try_from(random.next(bound)).ok()?;
+    list.get(index).copied()
+}
+
+/// A letter of a word is left out, doubled or exchanged with the next one: where, how many bytes,
+/// and what stands there instead.
+fn letter_slip(random: &mut Random, text: &str) -> Option<(usize, usize, String)> {
+    let pairs = text.as_bytes().windows(2).enumerate();
+    let pairs = pairs.filter(|(_, pair)| pair.iter().all(u8::is_ascii_lowercase));
+    let places: Vec<usize> = pairs.map(|(at, _)| at).collect();
+    let at = chosen(random, &places)?;
+    let two = text.get(at..at + 2)?;
+    let (first, second) = two.split_at(1);
+    let doubled = [first, two].concat();
+    let exchanged = [second, first].concat();
+    let with = chosen(random, &[second, doubled.as_str(), exchanged.as_str()])?;
+    Some((at, 2, with.to_owned()))
+}
+
+/// A sign is exchanged with another one.
+fn sign_slip(random: &mut Random, text: &str) -> Option<(usize, usize, String)> {
+    let (from, to) = chosen(random, &SIGNS)?;
+    let found = from
+        .iter()
+        .flat_map(|own| text.match_indices(own).map(|(at, own)| (at, own.len())));
+    let (at, length) = chosen(random, &found.collect::<Vec<_>>())?;
+    Some((at, length, chosen(random, to)?.to_owned()))
+}
+
+/// A text with one small slip in it, and what it is; none where the slip changes nothing.
 fn slipped(random: &mut Random, text: &str) -> Option<(String, String)> {
-    let mut pick = |bound: usize| usize::try_from(random.next(bound as u64)).ok();
-    let kind = pick(8)?;
-    let place = |needle: &[&str], skip: usize| {
-        let mut found: Vec<(usize, usize)> = Vec::new();
-        for own in needle {
-            found.extend(text.match_indices(own).map(|(at, _)| (at, own.len())));
-        }
-        found.sort_unstable();
-        found.get(skip % found.len().max(1)).copied()
-    };
-    let skip = pick(1000)?;
-    let (at, length, with) = match kind {
-        // a letter of a word is left out, doubled or exchanged with the next one
-        0..=3 => {
-            let letters = text.char_indices().filter(|(at, c)| {
-                let next = text[at + c.len_utf8()..].chars().next();
-                c.is_ascii_lowercase() && next.is_some_and(|own| own.is_ascii_lowercase())
-            });
-            let letters: Vec<usize> = letters.map(|(at, _)| at).collect();
-            let at = *letters.get(skip % letters.len().max(1))?;
-            let two = text.get(at..at + 2)?;
-            let (first, second) = two.split_at(1);
-            let with = match kind {
-                0 => second.to_owned(),
-                1 => [first, two].concat(),
-                _ => [second, first].concat(),
-            };
-            (at, 2, with)
-        }
-        4 => {
-            let (at, length) = place(&["^2", "^3"], skip)?;
-            (
-                at,
-                length,
-                if skip % 2 == 0 { "²" } else { "**2" }.to_owned(),
-            )
-        }
-        5 => {
-            let (at, length) = place(&[" = ", " == ", " ("], skip)?;
-            let with = ["==", "=", ":=", " "][pick(4)?];
-            (at + 1, length - 1, format!("{with} "))
-        }
-        6 => {
-            let (at, length) = place(&["), (", "c", "x", "-", "a"], skip)?;
-            let with = match &text[at..at + length] {
-                "), (" => ") (",
-                "c" => "с",
-                "x" => "х",
-                "-" => "–",
-                _ => "а",
-            };
-            (at, length, with.to_owned())
-        }
-        _ => {
-            let (at, length) = place(&["]", ")", "[", "(", " in ", " on "], skip)?;
-            let with = ["]", ")", "[", "(", " im ", " "][pick(6)?];
-            (at, length, with.to_owned())
-        }
-    };
+    let (at, length, with) = match random.next(2) {
+        0 => letter_slip(random, text),
+        _ => sign_slip(random, text),
+    }?;
+    let what = format!("at {at}: `{}` -> `{with}`", &text[at..at + length]);
     let mut slipped = text.to_owned();
     slipped.replace_range(at..at + length, &with);
-    let what = format!("at {at}: `{}` -> `{with}`", &text[at..at + length]);
     (slipped != text).then_some((slipped, what))
 }
 

@@ -100,7 +100,9 @@ impl<'a> Lowerer<'a> {
             Shape::Points | Shape::Pairs => {
                 let entries = self.entries(kind, expr)?;
                 let points = entries.iter().map(|entry| self.constant_point(entry));
-                let points = points.collect::<Lowered<Vec<Vec<Real>>>>()?;
+                // every entry is looked at, so that one run shows all errors
+                let points = points.collect::<Vec<_>>();
+                let points = points.into_iter().collect::<Lowered<Vec<Vec<Real>>>>()?;
                 let length = if slot.shape == Shape::Pairs {
                     2
                 } else {
@@ -120,9 +122,9 @@ impl<'a> Lowerer<'a> {
             Shape::Numbers => {
                 let entries = self.entries(kind, expr)?;
                 let numbers = entries.iter().map(|entry| self.constant_number(entry));
-                Ok(kinds::Value::Numbers(
-                    numbers.collect::<Lowered<Vec<Real>>>()?,
-                ))
+                let numbers = numbers.collect::<Vec<_>>();
+                let numbers = numbers.into_iter().collect::<Lowered<Vec<Real>>>()?;
+                Ok(kinds::Value::Numbers(numbers))
             }
         }
     }

@@ -89,15 +89,15 @@ impl<'a> Lowerer<'a> {
     }
 
     fn quality(&mut self, expr: &'a Expr, surfaces: &[SweptSurface]) -> Lowered<Claim> {
-        if let Some((name, arguments, parenthesis)) = plain_call(expr) {
-            if let Some(quality) = quality_of(&name.text) {
-                self.check_arguments(name, 1, arguments, parenthesis, &Scope::constant())?;
-                let (surface, coordinate) = self.surface_of(&arguments[0].value, surfaces)?;
-                if coordinate.is_some() {
-                    return Err(self.report_not_surface(arguments[0].value.span));
-                }
-                return Ok(Claim::Quality { quality, surface });
+        if let Some((name, arguments, parenthesis)) = plain_call(expr)
+            && let Some(quality) = quality_of(&name.text)
+        {
+            self.check_arguments(name, 1, arguments, parenthesis, &Scope::constant())?;
+            let (surface, coordinate) = self.surface_of(&arguments[0].value, surfaces)?;
+            if coordinate.is_some() {
+                return Err(self.report_not_surface(arguments[0].value.span));
             }
+            return Ok(Claim::Quality { quality, surface });
         }
         let message = "an expectation compares two sides or names a quality of a surface";
         let finding = Diagnostic::new(Code::E0107, expr.span, message)

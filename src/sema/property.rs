@@ -103,13 +103,7 @@ impl<'a> Lowerer<'a> {
         let text = self.sources.map.slice(function.span).to_owned();
         let qualified = |curve: &str| format!("`{curve}.{text}(…)`");
         if scope.frame.is_some() {
-            let message = format!("inside a construction `{text}` needs its curve's name");
-            let finding = self.finding(scope, Code::E0105, function.span, message);
-            let Some(curve) = only_curve_handed_over(scope, &at) else {
-                return Err(self.report(finding.help(format!("write {}", qualified("c")))));
-            };
-            let finding = finding.help(format!("write {}", qualified(&curve)));
-            return Err(self.report(finding.fix(function.span, format!("{curve}.{text}"))));
+            return Err(self.report_bare_inside(function, &at, scope));
         }
         let role = match (at.depends_on(Parameter::U), at.depends_on(Parameter::V)) {
             (true, false) => Role::Profile,
@@ -154,6 +148,25 @@ impl<'a> Lowerer<'a> {
                 Err(self.report(finding.help(format!("write {}", all.join(" or ")))))
             }
         }
+    }
+
+    /// E0105 inside a construction, where no curve is the only one.
+    fn report_bare_inside(
+        &mut self,
+        function: &Reference,
+        at: &Scalar,
+        scope: &Scope<'_>,
+    ) -> Reported {
+        let text = self.sources.map.slice(function.span);
+        let message = format!("inside a construction `{text}` needs its curve's name");
+        let finding = self.finding(scope, Code::E0105, function.span, message);
+        let finding = match only_curve_handed_over(scope, at) {
+            Some(curve) => finding
+                .help(format!("write `{curve}.{text}(…)`"))
+                .fix(function.span, format!("{curve}.{text}")),
+            None => finding.help(format!("write `c.{text}(…)`")),
+        };
+        self.report(finding)
     }
 
     /// One property at an argument, differentiated by the curve's parameter. That the curve has

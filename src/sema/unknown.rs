@@ -49,13 +49,37 @@ impl Lowerer<'_> {
                 "numbers carry no unit; `unit {text}` holds for the file"
             ))
         } else if let Some(near) = self.nearest(text, scope) {
-            finding
-                .help(format!("did you mean `{near}`?"))
-                .fix(name.span, near)
+            match self.misspelt_declaration(name, &near) {
+                Some(declared) => finding
+                    .help(format!(
+                        "did you mean to declare it where `{near}` is declared?"
+                    ))
+                    .fix(declared, text),
+                None => finding
+                    .help(format!("did you mean `{near}`?"))
+                    .fix(name.span, near),
+            }
         } else {
             finding
         };
         self.report(finding)
+    }
+
+    /// Where a near name is declared, if its declaration seems to be what is misspelt: in this
+    /// file nothing uses it, and the unknown name is used more than once.
+    fn misspelt_declaration(&self, name: &Name, near: &str) -> Option<Span> {
+        let declared = self.definitions.get(near)?.span();
+        let text = &self.sources.map.file(name.span.file).text;
+        let count = |word: &str| {
+            let is_part = |c: char| c.is_alphanumeric() || c == '_';
+            let ends = |at: usize| {
+                let (before, behind) = (&text[..at], &text[at + word.len()..]);
+                !before.ends_with(is_part) && !behind.starts_with(is_part)
+            };
+            text.match_indices(word).filter(|(at, _)| ends(*at)).count()
+        };
+        let lonely = declared.file == name.span.file && count(near) == 1;
+        (lonely && count(&name.text) > 1).then_some(declared)
     }
 
     /// The undeclared word at the start of the line of a place, and the keyword that it was
