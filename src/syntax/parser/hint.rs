@@ -92,8 +92,14 @@ fn edit(source: &Source<'_>, at: usize, what: &'static str) -> Option<Edit> {
         (Dot, "an expression") if source.kind(at + 1) == Number && source.touches_next(at) => {
             replaced(start_of(span), "0")
         }
-        (CloseParenthesis | CloseBracket, _) if before == Comma => replaced(previous, ""),
-        (Equal, "an expression") if before == Equal => replaced(previous.to(span), "="),
+        (CloseParenthesis | CloseBracket, _)
+            if before == Comma && surplus(source, at) == (0, 0) =>
+        {
+            replaced(previous, "")
+        }
+        (Equal, "an expression") if before == Equal && surplus(source, at) == (0, 0) => {
+            replaced(previous.to(span), "=")
+        }
         (Colon, "`=`") if source.kind(at + 1) == Equal => {
             replaced(span.to(source.span(source.token(at + 1))), "=")
         }
@@ -169,10 +175,24 @@ pub(super) fn closing_edit(
     at: usize,
     closing: &str,
 ) -> Option<Edit> {
+    let surplus = surplus(source, at);
+    let span = source.span(source.token(at));
+    let inside = source.slice(end_of(opener).to(start_of(span)));
+    match (surplus, closing) {
+        ((1, -1), ")") | ((-1, 1), "]") => Some((span, closing.to_owned())),
+        ((1, 0), ")") if !inside.contains(['(', '[']) => Some((start_of(span), closing.to_owned())),
+        ((0, 1), "]") => Some((start_of(span), closing.to_owned())),
+        _ => None,
+    }
+}
+
+/// How many parentheses, and how many square brackets, are opened and not closed in the
+/// declaration around an index. Where it is not 0, more is wrong than what was noticed first.
+fn surplus(source: &Source<'_>, at: usize) -> (i64, i64) {
     use TokenKind::*;
-    let starts = (0..at).rev().find(|own| source.begins_declaration(*own))?;
-    let mut surplus = (0_i64, 0_i64);
-    for index in starts..source.tokens.len() {
+    let start = (0..at).rev().find(|own| source.begins_declaration(*own));
+    let mut surplus = (0, 0);
+    for index in start.unwrap_or(at)..source.tokens.len() {
         match source.kind(index) {
             OpenParenthesis => surplus.0 += 1,
             CloseParenthesis => surplus.0 -= 1,
@@ -182,14 +202,7 @@ pub(super) fn closing_edit(
             _ => {}
         }
     }
-    let span = source.span(source.token(at));
-    let inside = source.slice(end_of(opener).to(start_of(span)));
-    match (surplus, closing) {
-        ((1, -1), ")") | ((-1, 1), "]") => Some((span, closing.to_owned())),
-        ((1, 0), ")") if !inside.contains(['(', '[']) => Some((start_of(span), closing.to_owned())),
-        ((0, 1), "]") => Some((start_of(span), closing.to_owned())),
-        _ => None,
-    }
+    surplus
 }
 
 /// The place before a span.
