@@ -268,6 +268,12 @@ const CASES: &[(Code, &str, &str)] = &[
         "surface R = (u, v, u^+2)",
         "surface R = (u, v, u^2)",
     ),
+    // outside of a list nothing says that a comma is missing
+    (
+        Code::E0106,
+        "let a = (1, 0, 0) (0, 1, 0)\nsurface R = (u, v, 0)",
+        "",
+    ),
     (
         Code::E0009,
         "let m = 2\nsurface R = (u, v, (1 + u)^-m)",

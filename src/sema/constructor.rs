@@ -1,7 +1,7 @@
 use crate::curve::kinds::{self, Arguments, Kind, Shape, Slot};
 use crate::diag::{Code, Diagnostic, Span};
 use crate::number::Real;
-use crate::syntax::ast::{Argument, Expr, ExprKind, Name};
+use crate::syntax::ast::{Argument, Expr, ExprKind, Name, ProductOp};
 
 use super::lowerer::{Lowered, Lowerer, Reported};
 use super::scope::Scope;
@@ -131,7 +131,13 @@ impl<'a> Lowerer<'a> {
 
     fn entries(&mut self, kind: &Kind, expr: &'a Expr) -> Lowered<&'a [Expr]> {
         match &expr.kind {
-            ExprKind::List(entries) if !entries.is_empty() => Ok(entries),
+            ExprKind::List(entries) if !entries.is_empty() => {
+                let missing = entries.iter().filter_map(comma_missing);
+                match missing.map(|own| self.report(own)).last() {
+                    Some(reported) => Err(reported),
+                    None => Ok(entries),
+                }
+            }
             _ => Err(self.report_usage(kind, expr.span, "a list in square brackets is needed")),
         }
     }
@@ -162,4 +168,24 @@ impl<'a> Lowerer<'a> {
 fn usage(kind: &Kind, span: Span, what: &str) -> Diagnostic {
     let message = format!("`{}`: {what}", kind.name);
     Diagnostic::new(Code::E0107, span, message).help(format!("write {}", kind.usage))
+}
+
+/// E0106 for an entry of a list that is two points side by side.
+fn comma_missing(entry: &Expr) -> Option<Diagnostic> {
+    let ExprKind::Product(factors) = &entry.kind else {
+        return None;
+    };
+    let is_point = |own: &Expr| matches!(own.kind, ExprKind::Tuple(_));
+    factors.windows(2).find_map(|pair| match pair {
+        [(_, left), (ProductOp::Juxtapose, right)] if is_point(left) && is_point(right) => {
+            let behind = Span {
+                start: left.span.end,
+                ..left.span
+            };
+            let message = "a comma is missing between two points of a list";
+            let finding = Diagnostic::new(Code::E0106, left.span.to(right.span), message);
+            Some(finding.help("write `,`").fix(behind, ","))
+        }
+        _ => None,
+    })
 }

@@ -1,4 +1,4 @@
-use crate::diag::{Code, Fix, Span};
+use crate::diag::{Code, Span};
 use crate::sweep::Scalar;
 use crate::syntax::ast::{Argument, Expr, ExprKind, Name, ProductOp, Reference};
 
@@ -73,32 +73,16 @@ impl<'a> Lowerer<'a> {
         }
         let mut product = Product::new(scope.site(span));
         let mut failed = None;
-        let mut before = span;
-        let map = self.sources.map;
-        let is_tuple = |span: Span| map.slice(span).starts_with('(');
         for (op, part) in parts {
             let (value, at) = match part {
                 Part::Expr(expr) => (self.value(expr, scope), expr.span),
                 Part::Name(reference) => (self.reference(reference, scope), reference.span),
                 Part::Rest(expr) => (self.rest(expr, scope), expr.span),
             };
-            let known = self.diagnostics.len();
-            let is_value = value.is_ok();
             let joined = value.and_then(|value| self.join(&mut product, op, value, at, scope));
             if let Err(reported) = joined {
                 failed = Some(reported);
-                if is_value && op == ProductOp::Juxtapose && is_tuple(before) && is_tuple(at) {
-                    let span = Span {
-                        start: before.end,
-                        ..before
-                    };
-                    let text = ",".to_owned();
-                    let help = "between the points of a list stands a comma";
-                    self.diagnostics
-                        .explain_from(known, help, &Fix { span, text });
-                }
             }
-            before = at;
         }
         match failed {
             Some(reported) => Err(reported),
