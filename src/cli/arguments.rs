@@ -37,6 +37,8 @@ pub(super) enum Command {
     Report(ReportArguments),
     /// Write the report, the exact net and CAD files of every surface of a file
     Compile(CompileArguments),
+    /// Explain diagnostics by their codes; without one, list all
+    Explain(ExplainArguments),
 }
 
 #[derive(Debug, Args)]
@@ -79,6 +81,13 @@ pub(super) struct CompileArguments {
     /// Write weights that differ by more than a factor of 10⁶
     #[arg(long)]
     pub(super) allow_weight_ratio: bool,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct ExplainArguments {
+    /// The codes, such as E0201
+    #[arg(value_name = "CODE")]
+    pub(super) codes: Vec<String>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]

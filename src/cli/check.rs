@@ -1,12 +1,15 @@
+use std::collections::BTreeSet;
+
 use crate::diag::{Code, Diagnostic, render_json};
 
 use super::arguments::{Arguments, CheckArguments, CheckFormat};
-use super::session::{Session, print};
+use super::session::{Session, print, print_hint};
 use super::status::Status;
 
 /// `sweepc check FILE…`
 pub(super) fn run(own: &CheckArguments, arguments: &Arguments) -> Status {
     let mut worst = Status::Success;
+    let mut codes = BTreeSet::new();
     for file in &own.files {
         let mut session = match Session::open(file, arguments, false) {
             Ok(session) => session,
@@ -20,7 +23,10 @@ pub(super) fn run(own: &CheckArguments, arguments: &Arguments) -> Status {
         }
         worst = worst.max(Status::of(diagnostics));
         match own.format {
-            CheckFormat::Text => session.print_diagnostics(arguments.color),
+            CheckFormat::Text => {
+                session.print_findings(arguments.color);
+                codes.extend(session.codes());
+            }
             CheckFormat::Json => {
                 for diagnostic in session.compilation.diagnostics.iter() {
                     print(&format!("{}\n", render_json(diagnostic, &session.sources)));
@@ -28,5 +34,6 @@ pub(super) fn run(own: &CheckArguments, arguments: &Arguments) -> Status {
             }
         }
     }
+    print_hint(&codes);
     worst
 }

@@ -1,14 +1,15 @@
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::io::{IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
-use crate::diag::{Diagnostics, SourceMap, Style, render_text};
+use crate::diag::{Code, SourceMap, Style, render_text};
 use crate::number::Real;
 use crate::pipeline::{Compilation, Options, compile};
 use crate::syntax::ast::{Declaration, Document};
 use crate::syntax::canonical_name;
 
 use super::arguments::{Arguments, Color};
+use super::explain::hint;
 use super::load::{Loaded, load};
 use super::status::Status;
 
@@ -71,29 +72,46 @@ impl Session {
         })
     }
 
-    /// Prints the findings to standard error.
+    /// Prints the findings to standard error, and where to read more of them.
     pub(super) fn print_diagnostics(&self, color: Color) {
-        print_diagnostics(&self.compilation.diagnostics, &self.sources, color);
+        self.print_findings(color);
+        print_hint(&self.codes());
+    }
+
+    /// Prints the findings to standard error.
+    pub(super) fn print_findings(&self, color: Color) {
+        let coloured = is_coloured(color, std::io::stderr().is_terminal());
+        let style = if coloured {
+            Style::Coloured
+        } else {
+            Style::Plain
+        };
+        let mut stderr = std::io::stderr().lock();
+        for diagnostic in self.compilation.diagnostics.iter() {
+            let _ = writeln!(stderr, "{}", render_text(diagnostic, &self.sources, style));
+        }
+    }
+
+    /// The codes of the findings.
+    pub(super) fn codes(&self) -> BTreeSet<Code> {
+        let findings = self.compilation.diagnostics.iter();
+        findings.map(|own| own.code).collect()
     }
 }
 
-pub(super) fn print_diagnostics(diagnostics: &Diagnostics, sources: &SourceMap, color: Color) {
-    let coloured = match color {
+/// One line that names the pages on some codes, to standard error.
+pub(super) fn print_hint(codes: &BTreeSet<Code>) {
+    if !codes.is_empty() {
+        let _ = writeln!(std::io::stderr(), "{}", hint(codes));
+    }
+}
+
+/// Whether a stream is to be coloured.
+pub(super) fn is_coloured(color: Color, is_terminal: bool) -> bool {
+    match color {
         Color::Always => true,
         Color::Never => false,
-        Color::Auto => {
-            std::env::var_os("NO_COLOR").is_none_or(|own| own.is_empty())
-                && std::io::stderr().is_terminal()
-        }
-    };
-    let style = if coloured {
-        Style::Coloured
-    } else {
-        Style::Plain
-    };
-    let mut stderr = std::io::stderr().lock();
-    for diagnostic in diagnostics.iter() {
-        let _ = writeln!(stderr, "{}", render_text(diagnostic, sources, style));
+        Color::Auto => std::env::var_os("NO_COLOR").is_none_or(|own| own.is_empty()) && is_terminal,
     }
 }
 

@@ -1,7 +1,10 @@
+use std::collections::BTreeSet;
 use std::sync::mpsc::{Receiver, RecvTimeoutError};
 use std::time::{Duration, Instant};
 
-use super::session::complain;
+use crate::diag::Code;
+
+use super::session::{complain, print_hint};
 use super::status::Status;
 
 /// How often memory is looked at.
@@ -39,7 +42,8 @@ pub(super) fn watch(done: &Receiver<Status>, budget: Budget) -> Option<Status> {
         } else {
             continue;
         };
-        complain(&format!("error[E0508]: this takes {excess}"));
+        complain(&format!("error[{}]: this takes {excess}", Code::E0508));
+        print_hint(&BTreeSet::from([Code::E0508]));
         return Some(Status::Limit);
     }
 }

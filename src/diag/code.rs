@@ -36,6 +36,15 @@ macro_rules! codes {
             pub fn title(self) -> &'static str {
                 match self { $(Code::$name => $title,)* }
             }
+
+            /// The page on the code, in Markdown: the rule, its reason, a text that breaks it and
+            /// one that keeps it.
+            #[must_use]
+            pub fn explanation(self) -> &'static str {
+                match self {
+                    $(Code::$name => include_str!(concat!("explain/", stringify!($name), ".md")),)*
+                }
+            }
         }
     };
 }
@@ -122,6 +131,21 @@ impl Code {
             Severity::Error
         } else {
             Severity::Warning
+        }
+    }
+
+    /// What the codes that begin with the same three letters are about.
+    #[must_use]
+    pub fn group(self) -> &'static str {
+        match &self.as_str()[..3] {
+            "E00" => "text and syntax",
+            "E01" => "names and types",
+            "E02" => "curves and properties",
+            "E03" => "surfaces and exactness",
+            "E04" => "expectations",
+            "E05" => "limits",
+            "E06" => "files",
+            _ => "warnings",
         }
     }
 

@@ -150,6 +150,14 @@ impl Diagnostics {
         self.list.iter()
     }
 
+    /// Gives the findings from an index on another way out.
+    pub fn explain_from(&mut self, index: usize, help: &str, fix: &Fix) {
+        for finding in self.list.iter_mut().skip(index) {
+            finding.help = Some(help.to_owned());
+            finding.fix = Some(fix.clone());
+        }
+    }
+
     /// Keeps the findings of which this holds.
     pub fn retain(&mut self, keep: impl FnMut(&Diagnostic) -> bool) {
         self.list.retain(keep);

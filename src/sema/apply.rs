@@ -3,10 +3,10 @@ use std::collections::HashMap;
 use std::rc::Rc;
 
 use crate::curve::{Curve, Parameter};
-use crate::diag::{Code, Diagnostic, Span};
+use crate::diag::{Code, Diagnostic, Fix, Span};
 use crate::number::{Field, Real};
 use crate::sweep::{Form, Scalar};
-use crate::syntax::ast::{Argument, Expr, ExprKind, Name, Reference};
+use crate::syntax::ast::{Argument, Expr, ExprKind, Name, Reference, Role};
 
 use super::call::BUILT_IN;
 use super::definition::{Definition, DefinitionForm};
@@ -302,10 +302,13 @@ impl<'a> Lowerer<'a> {
         parenthesis: Span,
         scope: &Scope<'_>,
     ) -> Lowered<()> {
-        if let Some(label) = arguments.iter().find_map(|own| own.label.as_ref()) {
+        let labelled = |own: &Argument| Some((own.label.clone()?, own.value.span));
+        if let Some((label, value)) = arguments.iter().find_map(labelled) {
             let message = format!("`{}` has no argument `{}`", name.text, label.text);
             let finding = self.finding(scope, Code::E0107, label.span, message);
-            return Err(self.report(finding));
+            let written = self.sources.map.slice(value).to_owned();
+            let finding = finding.help("write the value alone");
+            return Err(self.report(finding.fix(label.span.to(value), written)));
         }
         if arguments.len() == count {
             return Ok(());
@@ -378,7 +381,57 @@ impl<'a> Lowerer<'a> {
             })),
             ..scope.clone()
         };
-        self.value(body, &inner)
+        let exchanged = match scope.frame {
+            None => self.exchanged(parameters, arguments),
+            Some(_) => None,
+        };
+        let known = self.diagnostics.len();
+        let value = self.value(body, &inner);
+        if let Some((help, fix)) = exchanged {
+            self.diagnostics.explain_from(known, &help, &fix);
+        }
+        value
+    }
+
+    /// The way out where a sweep curve was handed over for a profile `p`, and a profile for a
+    /// sweep curve `c`, as the library calls them: the words, and the arguments exchanged.
+    fn exchanged(&self, parameters: &[Name], arguments: &[Argument]) -> Option<(String, Fix)> {
+        let place = |word: &str| parameters.iter().position(|own| own.text == word);
+        let (p, c) = (place("p")?, place("c")?);
+        let role = |index: usize| {
+            let ExprKind::Reference(reference) = &arguments[index].value.kind else {
+                return None;
+            };
+            let definition = self.definitions.get(reference.name.text.as_str())?;
+            match definition.form {
+                DefinitionForm::Curve { role, .. } => Some(role),
+                _ => None,
+            }
+        };
+        if (role(p)?, role(c)?) != (Role::Sweep, Role::Profile) {
+            return None;
+        }
+        let written = |index: usize| self.sources.map.slice(arguments[index].value.span);
+        let (first, last) = (p.min(c), p.max(c));
+        let (start, end) = (arguments[first].value.span, arguments[last].value.span);
+        let between = Span {
+            start: start.end,
+            end: end.start,
+            ..start
+        };
+        let text = [
+            written(last),
+            self.sources.map.slice(between),
+            written(first),
+        ]
+        .concat();
+        let help = format!(
+            "the arguments are exchanged: `{}` is a sweep curve and `{}` a profile",
+            written(p),
+            written(c)
+        );
+        let span = start.to(end);
+        Some((help, Fix { span, text }))
     }
 
     fn bind_once(

@@ -27,7 +27,13 @@ impl<'a> Lowerer<'a> {
             let help = format!("write `{text}({})`", curve.parameter());
             let message = format!("`{}` of a curve needs an argument", name.text);
             let finding = self.finding(scope, Code::E0107, reference.span, message);
-            return Err(self.report(finding.help(help)));
+            let finding = finding.help(help);
+            return Err(self.report(if scope.allows(curve.parameter()) {
+                let written = format!("{text}({})", curve.parameter());
+                finding.fix(reference.span, written)
+            } else {
+                finding
+            }));
         }
         let base = self.bare_value(qualifier, 0, scope)?;
         self.component(&base, name, scope)

@@ -1,10 +1,11 @@
 use crate::curve::kinds::{self, Arguments, Kind, Shape, Slot};
-use crate::diag::{Code, Span};
+use crate::diag::{Code, Diagnostic, Span};
 use crate::number::Real;
-use crate::syntax::ast::{Argument, Expr, ExprKind, Name, Reference};
+use crate::syntax::ast::{Argument, Expr, ExprKind, Name, ProductOp, Reference};
 
 use super::lowerer::{Lowered, Lowerer, Reported};
 use super::scope::Scope;
+use super::spelling;
 use super::value::Value;
 
 impl<'a> Lowerer<'a> {
@@ -61,7 +62,15 @@ impl<'a> Lowerer<'a> {
                     .label
                     .as_ref()
                     .map_or(argument.value.span, |own| own.span);
-                return Err(self.report_usage(kind, place, "this argument has no place here"));
+                let meant = argument.label.as_ref().and_then(|label| {
+                    let labels = kind.slots.iter().filter_map(|own| own.label);
+                    Some((label.span, spelling::nearest(&label.text, labels)?))
+                });
+                let finding = usage(kind, place, "this argument has no place here");
+                return Err(self.report(match meant {
+                    Some((span, meant)) => finding.fix(span, meant),
+                    None => finding,
+                }));
             };
             if values[slot].is_some() {
                 return Err(self.report_usage(
@@ -81,9 +90,7 @@ impl<'a> Lowerer<'a> {
     }
 
     fn report_usage(&mut self, kind: &Kind, span: Span, what: &str) -> Reported {
-        let finding =
-            crate::diag::Diagnostic::new(Code::E0107, span, format!("`{}`: {what}", kind.name));
-        self.report(finding.help(format!("write {}", kind.usage)))
+        self.report(usage(kind, span, what))
     }
 
     fn shaped(&mut self, kind: &Kind, slot: &Slot, expr: &'a Expr) -> Lowered<kinds::Value> {
@@ -94,7 +101,9 @@ impl<'a> Lowerer<'a> {
             Shape::Points | Shape::Pairs => {
                 let entries = self.entries(kind, expr)?;
                 let points = entries.iter().map(|entry| self.constant_point(entry));
-                let points = points.collect::<Lowered<Vec<Vec<Real>>>>()?;
+                // every entry is looked at, so that one run shows all errors
+                let points = points.collect::<Vec<_>>();
+                let points = points.into_iter().collect::<Lowered<Vec<Vec<Real>>>>()?;
                 let length = if slot.shape == Shape::Pairs {
                     2
                 } else {
@@ -107,20 +116,16 @@ impl<'a> Lowerer<'a> {
                             "a point with {} coordinates where the others have {length}",
                             points[index].len()
                         );
-                        Err(self.report(crate::diag::Diagnostic::new(
-                            Code::E0106,
-                            entries[index].span,
-                            message,
-                        )))
+                        Err(self.report(Diagnostic::new(Code::E0106, entries[index].span, message)))
                     }
                 }
             }
             Shape::Numbers => {
                 let entries = self.entries(kind, expr)?;
                 let numbers = entries.iter().map(|entry| self.constant_number(entry));
-                Ok(kinds::Value::Numbers(
-                    numbers.collect::<Lowered<Vec<Real>>>()?,
-                ))
+                let numbers = numbers.collect::<Vec<_>>();
+                let numbers = numbers.into_iter().collect::<Lowered<Vec<Real>>>()?;
+                Ok(kinds::Value::Numbers(numbers))
             }
         }
     }
@@ -141,7 +146,13 @@ impl<'a> Lowerer<'a> {
 
     fn entries(&mut self, kind: &Kind, expr: &'a Expr) -> Lowered<&'a [Expr]> {
         match &expr.kind {
-            ExprKind::List(entries) if !entries.is_empty() => Ok(entries),
+            ExprKind::List(entries) if !entries.is_empty() => {
+                let missing = entries.iter().filter_map(comma_missing);
+                match missing.map(|own| self.report(own)).last() {
+                    Some(reported) => Err(reported),
+                    None => Ok(entries),
+                }
+            }
             _ => Err(self.report_usage(kind, expr.span, "a list in square brackets is needed")),
         }
     }
@@ -162,12 +173,34 @@ impl<'a> Lowerer<'a> {
                 .collect(),
             other => {
                 let message = format!("a point is needed here, this is {}", other.type_name());
-                Err(self.report(crate::diag::Diagnostic::new(
-                    Code::E0106,
-                    expr.span,
-                    message,
-                )))
+                Err(self.report(Diagnostic::new(Code::E0106, expr.span, message)))
             }
         }
     }
+}
+
+/// E0107, with the right form of the constructor.
+fn usage(kind: &Kind, span: Span, what: &str) -> Diagnostic {
+    let message = format!("`{}`: {what}", kind.name);
+    Diagnostic::new(Code::E0107, span, message).help(format!("write {}", kind.usage))
+}
+
+/// E0106 for an entry of a list that is two points side by side.
+fn comma_missing(entry: &Expr) -> Option<Diagnostic> {
+    let ExprKind::Product(factors) = &entry.kind else {
+        return None;
+    };
+    let is_point = |own: &Expr| matches!(own.kind, ExprKind::Tuple(_));
+    factors.windows(2).find_map(|pair| match pair {
+        [(_, left), (ProductOp::Juxtapose, right)] if is_point(left) && is_point(right) => {
+            let behind = Span {
+                start: left.span.end,
+                ..left.span
+            };
+            let message = "a comma is missing between two points of a list";
+            let finding = Diagnostic::new(Code::E0106, left.span.to(right.span), message);
+            Some(finding.help("write `,`").fix(behind, ","))
+        }
+        _ => None,
+    })
 }

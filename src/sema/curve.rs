@@ -96,7 +96,13 @@ impl<'a> Lowerer<'a> {
         curve::Interval::new(start.clone(), end.clone()).ok_or_else(|| {
             let message = format!("the domain [{start}, {end}] is {what}");
             let finding = Diagnostic::new(Code::E0205, interval.span, message);
-            self.report(finding.help("a domain [a, b] has a < b"))
+            let finding = finding.help("a domain [a, b] has a < b");
+            if what == "empty" {
+                return self.report(finding);
+            }
+            let slice = |expr: &Expr| self.sources.map.slice(expr.span);
+            let turned = format!("[{}, {}]", slice(&interval.end), slice(&interval.start));
+            self.report(finding.fix(interval.span, turned))
         })
     }
 

@@ -4,6 +4,7 @@ use crate::syntax::ast::{self, Argument, Expr, ExprKind, Name, Reference};
 
 use super::lowerer::{Lowered, Lowerer, Reported};
 use super::scope::Scope;
+use super::spelling;
 use super::value::Value;
 
 /// A side of an expectation before types are compared.
@@ -25,6 +26,9 @@ impl<'a> Lowerer<'a> {
         let claim = match relation {
             None => self.quality(left, surfaces)?,
             Some((relation, right)) => {
+                if let Some(finding) = self.compared_quality(left, *relation, right) {
+                    return Err(self.report(finding));
+                }
                 let sides = (self.side(left, surfaces), self.side(right, surfaces));
                 self.comparison(
                     (sides.0?, left),
@@ -48,33 +52,64 @@ impl<'a> Lowerer<'a> {
         })
     }
 
+    /// E0107 where a predicate is compared with a truth value: `regular(R) == true`.
+    fn compared_quality(
+        &self,
+        left: &Expr,
+        relation: ast::Relation,
+        right: &Expr,
+    ) -> Option<Diagnostic> {
+        let is_quality = |expr: &Expr| {
+            plain_call(expr).is_some_and(|(name, ..)| {
+                quality_of(&name.text).is_some()
+                    && !self.definitions.contains_key(name.text.as_str())
+            })
+        };
+        let (quality, other) = match (is_quality(left), is_quality(right)) {
+            (true, false) => (left, right),
+            (false, true) => (right, left),
+            _ => return None,
+        };
+        let written = self.sources.map.slice(quality.span);
+        let message = format!("`{written}` is a statement of its own, it compares with nothing");
+        let span = left.span.to(right.span);
+        let finding = Diagnostic::new(Code::E0107, span, message);
+        let finding = finding.help(format!("write `expect {written}`"));
+        let affirmed = match relation {
+            ast::Relation::Equal => ["true", "1"],
+            ast::Relation::NotEqual => ["false", "0"],
+            _ => return Some(finding),
+        };
+        Some(
+            match affirmed.contains(&self.sources.map.slice(other.span)) {
+                true => finding.fix(span, written),
+                false => finding,
+            },
+        )
+    }
+
     fn quality(&mut self, expr: &'a Expr, surfaces: &[SweptSurface]) -> Lowered<Claim> {
-        if let Some((name, arguments, parenthesis)) = plain_call(expr) {
-            let quality = match name.text.as_str() {
-                "rational_offset" => Some(Quality::RationalOffset),
-                "positive_weights" => Some(Quality::PositiveWeights),
-                "regular" => Some(Quality::Regular),
-                _ => None,
-            };
-            if let Some(quality) = quality {
-                self.check_arguments(name, 1, arguments, parenthesis, &Scope::constant())?;
-                let (surface, coordinate) = self.surface_of(&arguments[0].value, surfaces)?;
-                if coordinate.is_some() {
-                    return Err(self.report_not_surface(arguments[0].value.span));
-                }
-                return Ok(Claim::Quality { quality, surface });
+        if let Some((name, arguments, parenthesis)) = plain_call(expr)
+            && let Some(quality) = quality_of(&name.text)
+        {
+            self.check_arguments(name, 1, arguments, parenthesis, &Scope::constant())?;
+            let (surface, coordinate) = self.surface_of(&arguments[0].value, surfaces)?;
+            if coordinate.is_some() {
+                return Err(self.report_not_surface(arguments[0].value.span));
             }
+            return Ok(Claim::Quality { quality, surface });
         }
-        let finding = Diagnostic::new(
-            Code::E0107,
-            expr.span,
-            "an expectation compares two sides or names a quality of a surface",
-        );
-        Err(self.report(
-            finding.help(
-                "write `A == B`, `regular(R)`, `rational_offset(R)` or `positive_weights(R)`",
-            ),
-        ))
+        let message = "an expectation compares two sides or names a quality of a surface";
+        let finding = Diagnostic::new(Code::E0107, expr.span, message)
+            .help("write `A == B`, `regular(R)`, `rational_offset(R)` or `positive_weights(R)`");
+        let meant = plain_call(expr).and_then(|(name, ..)| {
+            let known = ["positive_weights", "rational_offset", "regular"].into_iter();
+            Some((name.span, spelling::nearest(&name.text, known)?))
+        });
+        Err(self.report(match meant {
+            Some((span, meant)) => finding.fix(span, meant),
+            None => finding,
+        }))
     }
 
     fn side(&mut self, expr: &'a Expr, surfaces: &[SweptSurface]) -> Lowered<Side> {
@@ -137,9 +172,14 @@ impl<'a> Lowerer<'a> {
                 None => {
                     let message = format!("a surface has no coordinate `{}`", name.text);
                     let finding = Diagnostic::new(Code::E0111, name.span, message);
-                    return Err(
-                        self.report(finding.help("its homogeneous coordinates are W, X, Y and Z"))
-                    );
+                    let finding = finding.help("its homogeneous coordinates are W, X, Y and Z");
+                    let upper = name.text.to_uppercase();
+                    return Err(self.report(
+                        match ["W", "X", "Y", "Z"].contains(&upper.as_str()) {
+                            true => finding.fix(name.span, upper),
+                            false => finding,
+                        },
+                    ));
                 }
             },
         };
@@ -235,6 +275,16 @@ fn relation_of(relation: ast::Relation) -> Relation {
         ast::Relation::LessOrEqual => Relation::LessOrEqual,
         ast::Relation::Greater => Relation::Greater,
         ast::Relation::GreaterOrEqual => Relation::GreaterOrEqual,
+    }
+}
+
+/// The predicate of that name.
+fn quality_of(name: &str) -> Option<Quality> {
+    match name {
+        "rational_offset" => Some(Quality::RationalOffset),
+        "positive_weights" => Some(Quality::PositiveWeights),
+        "regular" => Some(Quality::Regular),
+        _ => None,
     }
 }
 

@@ -201,7 +201,7 @@ impl<'a> Lowerer<'a> {
         exponent: &'a Expr,
         scope: &Scope<'a>,
     ) -> Lowered<Value> {
-        let exponent = self.exponent(exponent, scope)?;
+        let exponent = self.exponent(exponent, (span, at), scope)?;
         let Value::Scalar(base_scalar) = value else {
             let message = format!("only a scalar has powers, this is {}", value.type_name());
             let finding = self.finding(scope, Code::E0106, at, message);
@@ -230,7 +230,13 @@ impl<'a> Lowerer<'a> {
         )))
     }
 
-    fn exponent(&mut self, expr: &'a Expr, scope: &Scope<'a>) -> Lowered<i64> {
+    /// The exponent of the power at the first place, whose base stands at the second.
+    fn exponent(
+        &mut self,
+        expr: &'a Expr,
+        (power, base): (Span, Span),
+        scope: &Scope<'a>,
+    ) -> Lowered<i64> {
         let scalar = self.scalar(expr, scope)?;
         let number = self.number(&scalar, scope)?;
         let limit = self.sources.limits.exponent;
@@ -239,7 +245,17 @@ impl<'a> Lowerer<'a> {
             None if !number.is_integer() => {
                 let message = format!("the exponent {number} is not an integer");
                 let finding = self.finding(scope, Code::E0009, expr.span, message);
-                Err(self.report(finding.help("write `sqrt(…)` for a square root")))
+                let finding = finding.help("write `sqrt(…)` for a square root");
+                let twice = number.times(&Real::from(2));
+                if twice != Real::one() || power.start != base.start {
+                    return Err(self.report(finding));
+                }
+                let base = self.sources.map.slice(base);
+                let inner = base.strip_prefix('(').and_then(|own| own.strip_suffix(')'));
+                let inner = inner
+                    .filter(|own| !own.contains(['(', ')']))
+                    .unwrap_or(base);
+                Err(self.report(finding.fix(power, format!("sqrt({inner})"))))
             }
             _ => {
                 let finding = self.finding(

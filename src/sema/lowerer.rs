@@ -10,6 +10,7 @@ use crate::syntax::ast::{Declaration, Document, Expr, Item, Name, Role};
 use super::Program;
 use super::definition::{Definition, DefinitionForm};
 use super::scope::{Function, Scope};
+use super::spelling;
 use super::value::Value;
 
 /// The names that the language keeps for properties, parameters and unit vectors.
@@ -286,7 +287,11 @@ impl<'a> Lowerer<'a> {
                 let Some(unit) = Unit::from_symbol(&name.text) else {
                     let message = format!("`{}` is not a length unit", name.text);
                     let finding = Diagnostic::new(Code::E0101, name.span, message);
-                    self.report(finding.help("the units are mm, cm, m and inch"));
+                    let finding = finding.help("the units are mm, cm, m and inch");
+                    self.report(match spelling::unit_meant(&name.text) {
+                        Some(meant) => finding.fix(name.span, meant),
+                        None => finding,
+                    });
                     continue;
                 };
                 let known = chosen.map_or_else(Unit::default, |(unit, _)| unit);

@@ -17,6 +17,7 @@ mod product;
 mod program;
 mod property;
 mod scope;
+mod spelling;
 mod surface;
 mod unknown;
 mod value;

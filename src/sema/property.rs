@@ -6,7 +6,8 @@ use crate::sweep::{CurveProperty, Form, Scalar};
 use crate::syntax::ast::{Argument, Reference, Role};
 
 use super::lowerer::{Lowered, Lowerer, Reported};
-use super::scope::Scope;
+use super::scope::{Binding, Scope};
+use super::spelling;
 use super::value::Value;
 
 /// A property of curves by its name: a scalar, or three coordinates.
@@ -77,9 +78,13 @@ impl<'a> Lowerer<'a> {
             self.finding(scope, Code::E0110, name.span, message)
         } else {
             let message = format!("a curve has no property `{}`", name.text);
-            let help = "the properties are x, y, z, σ, s, t, n, κ and ρ";
-            self.finding(scope, Code::E0111, name.span, message)
-                .help(help)
+            let finding = self.finding(scope, Code::E0111, name.span, message);
+            match spelling::property_meant(&name.text) {
+                Some(meant) => finding
+                    .help(format!("did you mean `{meant}`?"))
+                    .fix(name.span, meant),
+                None => finding.help("the properties are x, y, z, σ, s, t, n, κ and ρ"),
+            }
         };
         self.report(finding)
     }
@@ -98,9 +103,7 @@ impl<'a> Lowerer<'a> {
         let text = self.sources.map.slice(function.span).to_owned();
         let qualified = |curve: &str| format!("`{curve}.{text}(…)`");
         if scope.frame.is_some() {
-            let message = format!("inside a construction `{text}` needs its curve's name");
-            let finding = self.finding(scope, Code::E0105, function.span, message);
-            return Err(self.report(finding.help(format!("write {}", qualified("c")))));
+            return Err(self.report_bare_inside(function, &at, scope));
         }
         let role = match (at.depends_on(Parameter::U), at.depends_on(Parameter::V)) {
             (true, false) => Role::Profile,
@@ -113,10 +116,12 @@ impl<'a> Lowerer<'a> {
                 };
                 let message = format!("the argument of `{text}` {why}: the curve must be named");
                 let finding = self.finding(scope, Code::E0105, span, message);
-                let near = self
-                    .only_curve(Role::Sweep, span.file)
-                    .map_or("c", |own| own.text.as_str());
-                return Err(self.report(finding.help(format!("write {}", qualified(near)))));
+                let Ok(near) = self.only_curve(Role::Sweep, span.file) else {
+                    return Err(self.report(finding.help(format!("write {}", qualified("c")))));
+                };
+                let finding = finding.help(format!("write {}", qualified(&near.text)));
+                let fix = format!("{}.{text}", near.text);
+                return Err(self.report(finding.fix(function.span, fix)));
             }
         };
         let what = if role == Role::Profile {
@@ -143,6 +148,25 @@ impl<'a> Lowerer<'a> {
                 Err(self.report(finding.help(format!("write {}", all.join(" or ")))))
             }
         }
+    }
+
+    /// E0105 inside a construction, where no curve is the only one.
+    fn report_bare_inside(
+        &mut self,
+        function: &Reference,
+        at: &Scalar,
+        scope: &Scope<'_>,
+    ) -> Reported {
+        let text = self.sources.map.slice(function.span);
+        let message = format!("inside a construction `{text}` needs its curve's name");
+        let finding = self.finding(scope, Code::E0105, function.span, message);
+        let finding = match only_curve_handed_over(scope, at) {
+            Some(curve) => finding
+                .help(format!("write `{curve}.{text}(…)`"))
+                .fix(function.span, format!("{curve}.{text}")),
+            None => finding.help(format!("write `c.{text}(…)`")),
+        };
+        self.report(finding)
     }
 
     /// One property at an argument, differentiated by the curve's parameter. That the curve has
@@ -231,4 +255,17 @@ impl<'a> Lowerer<'a> {
         );
         self.report(Diagnostic::new(Code::W1003, definition.span(), message));
     }
+}
+
+/// The only curve among the parameters of the construction around that runs in the parameter on
+/// which an argument depends.
+fn only_curve_handed_over(scope: &Scope<'_>, at: &Scalar) -> Option<String> {
+    let runs_in = |parameter: Parameter| at.depends_on(parameter);
+    let bindings = scope.frame.as_ref()?.bindings.borrow();
+    let mut names = bindings.iter().filter_map(|(name, binding)| match binding {
+        Binding::Curve(curve) if runs_in(curve.parameter()) => Some(name.clone()),
+        _ => None,
+    });
+    let only = names.next()?;
+    names.next().is_none().then_some(only)
 }

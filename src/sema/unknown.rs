@@ -1,14 +1,28 @@
 use crate::curve::kinds;
-use crate::diag::Code;
+use crate::diag::{Code, Span};
 use crate::number::Unit;
 use crate::syntax::ast::Name;
+use crate::syntax::lexer::Keyword;
 
 use super::call::BUILT_IN;
 use super::lowerer::{Lowerer, Reported};
 use super::scope::Scope;
+use super::spelling;
 
 /// Words of mathematics that the language cannot have, for they are not rational.
 const IRRATIONAL: [&str; 8] = ["pi", "π", "sin", "cos", "tan", "exp", "log", "ln"];
+
+/// How far back the start of a line is looked for.
+const LONGEST_LINE: usize = 200;
+
+/// What only an expectation may ask.
+const QUALITIES: [&str; 5] = [
+    "bidegree",
+    "common_factor",
+    "positive_weights",
+    "rational_offset",
+    "regular",
+];
 
 impl Lowerer<'_> {
     /// Reports a name that nothing declares, with the way out where one is known.
@@ -17,46 +31,107 @@ impl Lowerer<'_> {
         if self.is_full() || self.broken.contains(&text) {
             return Reported;
         }
+        let lost = self.lost_keyword(name.span);
+        if lost.is_some_and(|(first, _)| first != name.span) {
+            // The whole line was meant to be a declaration, and its first word is reported.
+            return Reported;
+        }
         let message = format!("`{text}` is not declared");
         let finding = self.finding(scope, Code::E0101, name.span, message);
-        let finding = if IRRATIONAL.contains(&text) {
+        let finding = if let Some((span, keyword)) = lost {
+            finding
+                .help(format!("write `{keyword}`"))
+                .fix(span, keyword)
+        } else if IRRATIONAL.contains(&text) {
             finding.help("all values are rational: `turn(h)` is the cosine and sine of 2 arctan h")
         } else if Unit::from_symbol(text).is_some() {
             finding.help(format!(
                 "numbers carry no unit; `unit {text}` holds for the file"
             ))
         } else if let Some(near) = self.nearest(text, scope) {
-            finding
-                .help(format!("did you mean `{near}`?"))
-                .fix(name.span, near)
+            match self.misspelt_declaration(name, &near) {
+                Some(declared) => finding
+                    .help(format!(
+                        "did you mean to declare it where `{near}` is declared?"
+                    ))
+                    .fix(declared, text),
+                None => finding
+                    .help(format!("did you mean `{near}`?"))
+                    .fix(name.span, near),
+            }
         } else {
             finding
         };
         self.report(finding)
     }
 
+    /// Where a near name is declared, if its declaration seems to be what is misspelt: in this
+    /// file nothing uses it, and the unknown name is used more than once.
+    fn misspelt_declaration(&self, name: &Name, near: &str) -> Option<Span> {
+        let declared = self.definitions.get(near)?.span();
+        let text = &self.sources.map.file(name.span.file).text;
+        let count = |word: &str| {
+            let is_part = |c: char| c.is_alphanumeric() || c == '_';
+            let ends = |at: usize| {
+                let (before, behind) = (&text[..at], &text[at + word.len()..]);
+                !before.ends_with(is_part) && !behind.starts_with(is_part)
+            };
+            text.match_indices(word).filter(|(at, _)| ends(*at)).count()
+        };
+        let lonely = declared.file == name.span.file && count(near) == 1;
+        (lonely && count(&name.text) > 1).then_some(declared)
+    }
+
+    /// The undeclared word at the start of the line of a place, and the keyword that it was
+    /// probably meant to be, where another word follows it: the line went into the value of the
+    /// declaration before.
+    fn lost_keyword(&self, place: Span) -> Option<(Span, &'static str)> {
+        let text = self.sources.map.file(place.file).text.as_bytes();
+        let before = text.get(..place.start as usize)?;
+        let earliest = before.len().saturating_sub(LONGEST_LINE);
+        let line = before[earliest..]
+            .iter()
+            .rposition(|own| b"\n\r".contains(own))?;
+        let start = earliest + line + 1;
+        let start = start + text[start..].iter().position(|own| !b" \t".contains(own))?;
+        let length = text[start..]
+            .iter()
+            .position(|own| !own.is_ascii_alphabetic())?;
+        let span = Span::new(place.file, start, start + length);
+        let behind = text.get(start + length..)?.trim_ascii_start();
+        let goes_on = behind
+            .first()
+            .is_some_and(|own| own.is_ascii_alphabetic() || *own == b'"');
+        let word = self.sources.map.slice(span);
+        let blank = text.get(start + length) == Some(&b' ');
+        if !goes_on || !blank || self.definitions.contains_key(word) {
+            return None;
+        }
+        Some((
+            span,
+            Keyword::meant(word)
+                .filter(|own| own.as_str() != word)?
+                .as_str(),
+        ))
+    }
+
     /// The nearest spelling that means something, if it is near.
     fn nearest(&self, name: &str, scope: &Scope<'_>) -> Option<String> {
+        if scope.frame.is_none()
+            && let Some(property) = spelling::property_misspelt(name)
+        {
+            return Some(property.to_owned());
+        }
         let frame = scope.frame.as_ref();
         let local: Vec<String> = frame
             .map(|frame| frame.bindings.borrow().keys().cloned().collect())
             .unwrap_or_default();
         let fixed = BUILT_IN
             .into_iter()
-            .chain(kinds::ALL.iter().map(|kind| kind.name));
+            .chain(kinds::ALL.iter().map(|kind| kind.name))
+            .chain(QUALITIES.into_iter().filter(|_| frame.is_none()));
         let declared = self.definitions.keys().copied().chain(fixed);
-        // A single letter is like any other; that is no help.
-        let limit = match name.chars().count() {
-            0 | 1 => 0,
-            length => length.div_ceil(3),
-        };
-        local
-            .into_iter()
-            .chain(declared.map(str::to_owned))
-            .filter(|own| own != name && own.chars().count() > 1)
-            .map(|own| (strsim::damerau_levenshtein(name, &own), own))
-            .filter(|(distance, _)| *distance <= limit)
-            .min()
-            .map(|(_, own)| own)
+        let known = local.into_iter().chain(declared.map(str::to_owned));
+        spelling::nearest(name, known)
     }
 }

@@ -56,6 +56,21 @@ keywords! {
 }
 
 impl Keyword {
+    /// The keyword of a declaration that a word was probably meant to be.
+    #[must_use]
+    pub fn meant(word: &str) -> Option<Keyword> {
+        if !(3..=20).contains(&word.len()) {
+            return None;
+        }
+        let keywords = Keyword::ALL.iter().copied();
+        keywords
+            .filter(|keyword| keyword.begins_declaration())
+            .map(|keyword| (strsim::damerau_levenshtein(word, keyword.as_str()), keyword))
+            .filter(|(distance, keyword)| *distance <= 1 + usize::from(keyword.as_str().len() > 4))
+            .min_by_key(|(distance, _)| *distance)
+            .map(|(_, keyword)| keyword)
+    }
+
     /// Whether a declaration begins with it.
     #[must_use]
     pub fn begins_declaration(self) -> bool {
@@ -386,11 +401,18 @@ impl Lexer<'_> {
             return self.emit(TokenKind::Text, end);
         }
         let opener = Span::new(self.file, self.at, self.at + 1);
-        self.report(
-            Diagnostic::new(Code::E0005, opener, "the string is not closed")
-                .related(Span::new(self.file, end, end), "the line ends here")
-                .help("write `\"` at its end"),
-        );
+        let finding = Diagnostic::new(Code::E0005, opener, "the string is not closed")
+            .related(Span::new(self.file, end, end), "the line ends here")
+            .help("write `\"` at its end");
+        // The name of an imported file fills its line, unless a comment follows.
+        let imports = Some(TokenKind::Keyword(Keyword::Import));
+        let written = self.text[self.at..end].trim_end();
+        let last = Span::new(self.file, self.at + written.len(), self.at + written.len());
+        let whole = self.lexed.tokens.last().map(|own| own.kind) == imports;
+        self.report(match whole && !written.contains('#') {
+            true => finding.fix(last, "\""),
+            false => finding,
+        });
         self.emit(TokenKind::Unknown, end);
     }
 
@@ -429,7 +451,11 @@ impl Lexer<'_> {
     fn foreign(&mut self, c: char, end: usize) {
         let span = Span::new(self.file, self.at, end);
         let Some(meant) = sign_meant(c) else {
-            self.report(misplaced(c, span));
+            let finding = misplaced(c, span);
+            self.report(match self.rewritten(c, end) {
+                Some((end, text)) => finding.fix(Span::new(self.file, self.at, end), text),
+                None => finding,
+            });
             if !c.is_control() {
                 self.emit(TokenKind::Unknown, end);
             }
@@ -448,6 +474,32 @@ impl Lexer<'_> {
             Ok(("", kind)) => self.emit(kind, end),
             _ if meant == " " => {}
             _ => self.emit(TokenKind::Unknown, end),
+        }
+    }
+}
+
+impl Lexer<'_> {
+    /// What a character that ends at `end` is in the language, with all that belongs to it: a
+    /// radical sign with its radicand, a vulgar fraction, a form feed.
+    fn rewritten(&self, c: char, end: usize) -> Option<(usize, String)> {
+        let rest = &self.text[end..];
+        let fraction = |text: &str| Some((end, text.to_owned()));
+        match c {
+            '√' if rest.starts_with('(') => Some((end, "sqrt".to_owned())),
+            '√' => {
+                let (after, Lexeme::Number { malformed: false }) = number(rest).ok()? else {
+                    return None;
+                };
+                let radicand = &rest[..rest.len() - after.len()];
+                Some((end + radicand.len(), format!("sqrt({radicand})")))
+            }
+            '½' => fraction("(1/2)"),
+            '⅓' => fraction("(1/3)"),
+            '⅔' => fraction("(2/3)"),
+            '¼' => fraction("(1/4)"),
+            '¾' => fraction("(3/4)"),
+            '\u{B}' | '\u{C}' => fraction(" "),
+            _ => None,
         }
     }
 }

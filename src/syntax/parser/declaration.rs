@@ -5,6 +5,7 @@ use nom::{Input, Parser};
 
 use super::expression::{expression, unquoted};
 use super::fault::{Parsed, decimal_comma, expected, told};
+use super::hint::{CURVE_PARAMETER, PLANE, TIMES, start_of};
 use super::piece::{Brackets, bracketed, comma, keyword, name, token};
 use super::stream::{Source, Stream};
 use crate::diag::{Code, Diagnostic, Span};
@@ -62,12 +63,12 @@ fn parameters(input: Stream<'_>) -> Parsed<'_, Vec<Name>> {
 
 /// `NAME(u) in PLANE on [a, b] = CURVE`
 fn curve(role: Role, input: Stream<'_>) -> Parsed<'_, Declaration> {
-    let (rest, (name, parameter)) = (name, curve_parameter).parse(input)?;
-    let (rest, (plane, mut domain)) = (opt(plane), opt(on_interval)).parse(rest)?;
+    let (behind, (name, parameter)) = (name, curve_parameter).parse(input)?;
+    let (rest, (plane, mut domain)) = (opt(plane), opt(on_interval)).parse(behind)?;
     let (rest, plane) = match plane {
         Some(_) => (rest, plane),
         None => {
-            let (after, late) = opt(plane_behind_domain).parse(rest)?;
+            let (after, late) = opt(|rest| plane_behind_domain(behind, rest)).parse(rest)?;
             (after, late)
         }
     };
@@ -93,7 +94,7 @@ fn curve(role: Role, input: Stream<'_>) -> Parsed<'_, Declaration> {
 /// `(u)`; one name.
 fn curve_parameter(input: Stream<'_>) -> Parsed<'_, Name> {
     if input.kind() != TokenKind::OpenParenthesis {
-        return expected(input, "the parameter of the curve, `(u)` or `(v)`");
+        return expected(input, CURVE_PARAMETER);
     }
     let (rest, (name, _)) = bracketed(Brackets::Round, input, name)?;
     Ok((rest, name))
@@ -106,18 +107,22 @@ fn plane(input: Stream<'_>) -> Parsed<'_, (Plane, Span)> {
         (TokenKind::Name, "xy") => Plane::Xy,
         (TokenKind::Name, "xz") => Plane::Xz,
         (TokenKind::Name, "yz") => Plane::Yz,
-        _ => return cut(|rest| expected(rest, "a plane, `xy`, `xz` or `yz`")).parse(rest),
+        _ => return cut(|rest| expected(rest, PLANE)).parse(rest),
     };
     Ok((rest.take_from(1), (plane, rest.span())))
 }
 
-/// `on [a, b] in PLANE`, the wrong way round.
-fn plane_behind_domain(input: Stream<'_>) -> Parsed<'_, (Plane, Span)> {
+/// `on [a, b] in PLANE`, the wrong way round; the domain begins at `domain`.
+fn plane_behind_domain<'a>(domain: Stream<'a>, input: Stream<'a>) -> Parsed<'a, (Plane, Span)> {
     let (rest, found) = plane(input)?;
     let span = input.span_until(rest);
     let finding = Diagnostic::new(Code::E0006, span, "the plane stands before the domain");
-    let help = "write `in` before `on`";
-    input.source.report(finding.help(help));
+    let slice = |span: Span| input.source.slice(span);
+    let exchanged = format!("{} {}", slice(span), slice(domain.span_until(input)));
+    let finding = finding.help("write `in` before `on`");
+    input
+        .source
+        .report(finding.fix(domain.span_until(rest), exchanged));
     Ok((rest, found))
 }
 
@@ -129,8 +134,14 @@ fn on_interval(input: Stream<'_>) -> Parsed<'_, Interval> {
 /// `[a, b]`
 fn interval(input: Stream<'_>) -> Parsed<'_, Interval> {
     if input.kind() == TokenKind::OpenParenthesis {
-        let finding = Diagnostic::new(Code::E0006, input.span(), "expected `[`, found `(`");
-        return told(input, finding.help("domains are closed: write `[a, b]`"));
+        let finding = Diagnostic::new(Code::E0006, input.span(), "expected `[`, found `(`")
+            .help("domains are closed: write `[a, b]`");
+        let Some((span, _)) = input.source.enclosed(input.at) else {
+            return told(input, finding);
+        };
+        let written = input.source.slice(span);
+        let inner = written.get(1..written.len() - 1).unwrap_or_default();
+        return told(input, finding.fix(span, format!("[{inner}]")));
     }
     let (rest, ((start, _, end), span)) = bracketed(Brackets::Square, input, |input| {
         let (rest, ends) = (cut(expression), cut(comma), cut(expression)).parse(input)?;
@@ -178,7 +189,8 @@ fn binding(input: Stream<'_>) -> Parsed<'_, (Name, Expr)> {
     if rest.kind() == TokenKind::OpenParenthesis {
         let message = "a name behind `where` takes no parameters";
         let finding = Diagnostic::new(Code::E0006, rest.span(), message);
-        return told(rest, finding.help(format!("write `{} = …`", name.text)));
+        let finding = finding.help(format!("write `{} = …`", name.text));
+        return told(rest, without_parameters(rest, finding));
     }
     let (rest, (_, value)) = (equal, expression).parse(rest)?;
     Ok((rest, (name, value)))
@@ -190,10 +202,8 @@ fn surface(input: Stream<'_>) -> Parsed<'_, Declaration> {
     if rest.kind() == TokenKind::OpenParenthesis {
         let message = "a surface has no parameter list: it is always in `u` and `v`";
         let finding = Diagnostic::new(Code::E0006, rest.span(), message);
-        return told(
-            rest,
-            finding.help(format!("write `surface {} = …`", name.text)),
-        );
+        let finding = finding.help(format!("write `surface {} = …`", name.text));
+        return told(rest, without_parameters(rest, finding));
     }
     let domain = (on_interval, cut(times), cut(interval)).map(|(u, (), v)| (u, v));
     let (rest, (domain, _, value)) = (opt(domain), equal, expression).parse(rest)?;
@@ -205,11 +215,26 @@ fn surface(input: Stream<'_>) -> Parsed<'_, Declaration> {
     Ok((rest, declaration))
 }
 
+/// Adds the edit that removes a parenthesis, if the declaration goes on behind it.
+fn without_parameters(input: Stream<'_>, finding: Diagnostic) -> Diagnostic {
+    match input.source.enclosed(input.at) {
+        Some((span, behind))
+            if matches!(
+                input.source.kind(behind),
+                TokenKind::Equal | TokenKind::Keyword(Keyword::On)
+            ) =>
+        {
+            finding.fix(span, "")
+        }
+        _ => finding,
+    }
+}
+
 /// `x` or `×` between two intervals.
 fn times(input: Stream<'_>) -> Parsed<'_, ()> {
     match (input.kind(), input.source.written(input.first())) {
         (TokenKind::Name, "x") | (TokenKind::Star, "×") => Ok((input.take_from(1), ())),
-        _ => expected(input, "`x` and the domain in `v`"),
+        _ => expected(input, TIMES),
     }
 }
 
@@ -291,6 +316,9 @@ pub(super) fn stray(input: Stream<'_>) -> Option<Diagnostic> {
     {
         return Some(misspelt(source, index, keyword));
     }
+    if input.kind() == Equal && is_nearly_where(source, input.at) {
+        return Some(misspelt(source, input.at - 2, self::Keyword::Where));
+    }
     let missing = MISSING_KEYWORD;
     let help = match input.kind() {
         Unknown => return None,
@@ -307,7 +335,8 @@ pub(super) fn stray(input: Stream<'_>) -> Option<Diagnostic> {
                 let first = source.token(start);
                 let message = format!("expected a declaration, found {}", source.described(first));
                 let finding = Diagnostic::new(Code::E0006, source.span(first), message);
-                return Some(finding.help("write `expect` in front"));
+                let finding = finding.help("write `expect` in front");
+                return Some(finding.fix(start_of(source.span(first)), "expect "));
             }
             "one relation stands in an `expect`, and nowhere else"
         }
@@ -319,7 +348,11 @@ pub(super) fn stray(input: Stream<'_>) -> Option<Diagnostic> {
         Dot if source.kind(input.at + 1) == Number => "a number begins with a digit: `0.5`",
         Name => {
             let message = format!("expected a declaration, found {found}");
-            return Some(unexpected(message).help(missing));
+            let finding = unexpected(message).help(missing);
+            return Some(match is_plain_constant(source, input.at) {
+                true => finding.fix(start_of(input.span()), "let "),
+                false => finding,
+            });
         }
         _ => return Some(unexpected(format!("unexpected {found}"))),
     };
@@ -354,17 +387,38 @@ pub(super) fn misspelt_keyword(input: Stream<'_>) -> Option<(usize, Keyword)> {
 /// The keyword that a name followed by a name or a string was probably meant to be.
 pub(super) fn nearly_keyword(source: &Source<'_>, index: usize) -> Option<Keyword> {
     let word = source.written(source.token(index));
-    let is_word = source.kind(index) == TokenKind::Name && (3..=20).contains(&word.len());
+    let is_word = source.kind(index) == TokenKind::Name;
     if !is_word || !matches!(source.kind(index + 1), TokenKind::Name | TokenKind::Text) {
         return None;
     }
-    let keywords = Keyword::ALL.iter().copied();
-    keywords
-        .filter(|keyword| keyword.begins_declaration())
-        .map(|keyword| (strsim::damerau_levenshtein(word, keyword.as_str()), keyword))
-        .filter(|(distance, keyword)| *distance <= 1 + usize::from(keyword.as_str().len() > 4))
-        .min_by_key(|(distance, _)| *distance)
-        .map(|(_, keyword)| keyword)
+    Keyword::meant(word)
+}
+
+/// Whether the `=` at an index belongs to a `where` that is misspelt: `whre q = …`.
+fn is_nearly_where(source: &Source<'_>, at: usize) -> bool {
+    let Some(index) = at.checked_sub(2) else {
+        return false;
+    };
+    let word = source.written(source.token(index));
+    let names = [index, index + 1].map(|own| source.kind(own)) == [TokenKind::Name; 2];
+    let declares = (0..index).rev().find(|own| source.begins_declaration(*own));
+    let declares = declares.map(|own| source.kind(own));
+    names
+        && declares == Some(TokenKind::Keyword(Keyword::Construction))
+        && (4..=6).contains(&word.len())
+        && strsim::damerau_levenshtein(word, "where") <= 2
+}
+
+/// Whether `NAME = NUMBER`, and nothing more, stands at an index.
+pub(super) fn is_plain_constant(source: &Source<'_>, at: usize) -> bool {
+    let number = match source.kind(at + 2) {
+        TokenKind::Minus => at + 3,
+        _ => at + 2,
+    };
+    source.kind(at) == TokenKind::Name
+        && source.kind(at + 1) == TokenKind::Equal
+        && source.kind(number) == TokenKind::Number
+        && (source.kind(number + 1) == TokenKind::End || source.begins_declaration(number + 1))
 }
 
 /// E0006 at a misspelt keyword.

@@ -3,6 +3,7 @@ use nom::multi::{fold_many0, separated_list1};
 use nom::{Input, Parser};
 
 use super::fault::{Parsed, expected, told};
+use super::hint::{end_of, start_of};
 use super::piece::{Brackets, bracketed, comma, name, nested, token, too_deep};
 use super::stream::Stream;
 use crate::diag::{Code, Diagnostic};
@@ -71,7 +72,10 @@ fn next_factor(input: Stream<'_>) -> Parsed<'_, (ProductOp, Expr)> {
         TokenKind::Slash => (input.take_from(1), ProductOp::Divide),
         TokenKind::Name | TokenKind::OpenParenthesis => (input, ProductOp::Juxtapose),
         TokenKind::Number => {
-            input.source.report(number_on_the_right(input));
+            // a finding may cost a look at the whole declaration
+            if !input.source.has_enough_errors() {
+                input.source.report(number_on_the_right(input));
+            }
             (input, ProductOp::Juxtapose)
         }
         TokenKind::DoubleStar => {
@@ -99,6 +103,10 @@ fn number_on_the_right(input: Stream<'_>) -> Diagnostic {
     let previous = input.previous();
     if previous.kind == TokenKind::Number {
         let gap = input.source.span(previous).to(input.span());
+        let finding = match input.source.is_in_list(input.at) {
+            true => finding.fix(end_of(input.source.span(previous)), ","),
+            false => finding,
+        };
         return finding
             .related(input.source.span(previous), "the factor")
             .help(match input.source.slice(gap).contains(['\n', '\r']) {
@@ -106,10 +114,15 @@ fn number_on_the_right(input: Stream<'_>) -> Diagnostic {
                 false => "digits are not grouped; between two numbers stands `,` or `*`",
             });
     }
-    finding.help(format!(
+    let finding = finding.help(format!(
         "write `* {}`, or put the number first",
         number.trim_matches('`')
-    ))
+    ));
+    match input.source.is_in_list(input.at) {
+        // there, a comma may be missing as well
+        true => finding,
+        false => finding.fix(start_of(input.span()), "* "),
+    }
 }
 
 /// E0008: `0 x` and `0x1F`, which is how other languages write a number.
@@ -133,13 +146,17 @@ fn zero_and_x(input: Stream<'_>) -> Option<Diagnostic> {
     }
     let span = source.span(zero).to(source.span(word));
     let message = "`0 x` is neither a number nor a product";
-    Some(Diagnostic::new(Code::E0008, span, message).help("numbers are decimal"))
+    let finding = Diagnostic::new(Code::E0008, span, message).help("numbers are decimal");
+    Some(match u64::from_str_radix(digits, 16) {
+        Ok(value) if hexadecimal => finding.fix(span, value.to_string()),
+        _ => finding,
+    })
 }
 
 /// W1001: the factor after a quotient looks as if it stood below the line.
 fn warn_of_quotients(input: Stream<'_>, factors: &[(ProductOp, Expr)]) {
     let is_number = |factor: &Expr| matches!(factor.kind, ExprKind::Number(_));
-    for window in factors.windows(3) {
+    for (index, window) in factors.windows(3).enumerate() {
         let [
             (_, above),
             (ProductOp::Divide, below),
@@ -158,8 +175,13 @@ fn warn_of_quotients(input: Stream<'_>, factors: &[(ProductOp, Expr)]) {
         let finding = if short {
             let message = format!("`{whole}` means `({quotient}) {factor}`");
             let other = format!("{}/({} {factor})", slice(above, above), slice(below, below));
-            Diagnostic::new(Code::W1001, below.span.to(beside.span), message)
-                .help(format!("write `({quotient}) {factor}` or `{other}`"))
+            let finding = Diagnostic::new(Code::W1001, below.span.to(beside.span), message)
+                .help(format!("write `({quotient}) {factor}` or `{other}`"));
+            // Behind another factor the parenthesis could become that of an application.
+            match index {
+                0 => finding.fix(above.span.to(below.span), format!("({quotient})")),
+                _ => finding,
+            }
         } else {
             let message = "the factor after the quotient multiplies it";
             Diagnostic::new(Code::W1001, below.span.to(beside.span), message)
@@ -205,10 +227,8 @@ fn exponent(input: Stream<'_>) -> Parsed<'_, Expr> {
         TokenKind::Number => number(input)?,
         TokenKind::Minus => return negated_exponent(input),
         TokenKind::Plus => {
-            return told(
-                input,
-                refused(input, "an exponent has no `+` sign", "remove it"),
-            );
+            let finding = refused(input, "an exponent has no `+` sign", "remove it");
+            return told(input, finding.fix(input.span(), ""));
         }
         TokenKind::OpenParenthesis => {
             let (rest, inner) = parenthesis(input)?;
@@ -236,7 +256,18 @@ fn negated_exponent(input: Stream<'_>) -> Parsed<'_, Expr> {
     let after = input.take_from(1);
     if after.kind() != TokenKind::Number {
         let message = "only a number can be negated in an exponent";
-        return told(input, refused(input, message, help));
+        let finding = refused(input, message, help);
+        let behind = after.take_from(1);
+        let goes_on = matches!(
+            behind.kind(),
+            TokenKind::OpenParenthesis | TokenKind::Dot | TokenKind::Prime | TokenKind::Caret
+        );
+        if after.kind() != TokenKind::Name || goes_on {
+            return told(input, finding);
+        }
+        let span = input.span_until(behind);
+        let written = input.source.slice(span);
+        return told(input, finding.fix(span, format!("({written})")));
     }
     let (rest, number) = number(after)?;
     if rest.kind() == TokenKind::Caret {
@@ -288,10 +319,19 @@ fn postfix(input: Stream<'_>) -> Parsed<'_, Expr> {
             rest.span(),
             "a prime stands behind a name only",
         );
-        return told(
-            rest,
-            finding.help("write `f'(v)`, or `du(…)` and `dv(…)` for an expression"),
-        );
+        let finding = finding.help("write `f'(v)`, or `du(…)` and `dv(…)` for an expression");
+        let ExprKind::Apply {
+            function,
+            parenthesis,
+            ..
+        } = &base.kind
+        else {
+            return told(rest, finding);
+        };
+        let slice = |span| input.source.slice(span);
+        let moved = format!("{}{}", slice(rest.span()), slice(*parenthesis));
+        let span = end_of(function.span).to(rest.span());
+        return told(rest, finding.fix(span, moved));
     }
     Ok((rest, base))
 }

@@ -1,8 +1,9 @@
 use nom::error::{ErrorKind, ParseError};
 
+use super::hint::hinted;
 use super::stream::{Source, Stream};
 use crate::diag::{Code, Diagnostic, Span};
-use crate::syntax::lexer::{Keyword, Token, TokenKind};
+use crate::syntax::lexer::{Keyword, TokenKind};
 
 /// Why a parser stopped.
 #[derive(Debug)]
@@ -80,10 +81,7 @@ fn unexpected(source: &Source<'_>, at: usize, what: &'static str) -> Option<Diag
     }
     let message = format!("expected {what}, found {}", source.described(token));
     let finding = Diagnostic::new(Code::E0006, span, message);
-    Some(match hint(source, at, what) {
-        Some(help) => finding.help(help),
-        None => finding,
-    })
+    Some(hinted(finding, source, at, what))
 }
 
 /// E0103.
@@ -114,42 +112,4 @@ pub(super) fn decimal_comma(source: &Source<'_>, comma: usize) -> Option<Diagnos
     } else {
         finding.help("write a point")
     })
-}
-
-/// The way out of the common slips.
-fn hint(source: &Source<'_>, at: usize, what: &'static str) -> Option<String> {
-    use TokenKind::*;
-    let token = source.token(at);
-    let before = source.kind_before(at);
-    let help = match (token.kind, what) {
-        (Plus, "an expression") => "a leading `+` has no meaning here; remove it",
-        (Slash, "an expression") if before == Slash => "a comment begins with `#`",
-        (Star, "an expression") if before == Slash => "a comment begins with `#`",
-        (Star, "an expression") if before == Star => "a power is written `^`",
-        (DoubleStar, _) => "a power is written `^`",
-        (Dot, _) if source.kind(at + 1) == Number => "a number begins with a digit: `0.5`",
-        (CloseParenthesis | CloseBracket, _) if before == Comma => "remove the comma",
-        (OpenBracket, _) => {
-            "a point is written `(a, b)`; a list stands only as an argument of a curve"
-        }
-        (Text, _) => "a string stands only as an argument and behind `import`",
-        (Semicolon, _) => "no `;` is needed",
-        (Equal, "an expression") if before == Equal => "a declaration has one `=`",
-        (Colon, "`=`") => "write `=`",
-        (Prime | DoublePrime, "a string") => "a string stands in double quotes",
-        (Keyword(self::Keyword::In), "a unit") => "the units are `mm`, `cm`, `m`, `inch`",
-        (_, "`=`") => return equal_missing(source, token),
-        _ => return None,
-    };
-    Some(help.to_owned())
-}
-
-fn equal_missing(source: &Source<'_>, token: Token) -> Option<String> {
-    use TokenKind::*;
-    let written = source.written(token);
-    match token.kind {
-        Name if matches!(written, "xy" | "xz" | "yz") => Some(format!("write `in {written}`")),
-        Name | Number | OpenParenthesis | Minus => Some("write `=` before the value".to_owned()),
-        _ => None,
-    }
 }

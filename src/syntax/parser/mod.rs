@@ -3,11 +3,15 @@
 mod declaration;
 mod expression;
 mod fault;
+mod hint;
 mod piece;
 mod stream;
 
-use self::declaration::{MISSING_KEYWORD, declaration, misspelt_keyword, nearly_keyword, stray};
+use self::declaration::{
+    MISSING_KEYWORD, declaration, is_plain_constant, misspelt_keyword, nearly_keyword, stray,
+};
 use self::fault::Fault;
+use self::hint::start_of;
 use self::stream::{Source, Stream};
 use super::ast::{Document, Name};
 use super::lexer::{Keyword, Token, TokenKind, clipped, tokenize};
@@ -120,8 +124,11 @@ fn report_swallowed(input: Stream<'_>, name: &Name) {
         return report_stray(input);
     }
     let message = format!("expected a declaration, found `{}`", clipped(&name.text));
-    let finding = Diagnostic::new(Code::E0006, name.span, message);
-    source.report(finding.help(MISSING_KEYWORD));
+    let finding = Diagnostic::new(Code::E0006, name.span, message).help(MISSING_KEYWORD);
+    source.report(match index.filter(|own| is_plain_constant(source, *own)) {
+        Some(_) => finding.fix(start_of(name.span), "let "),
+        None => finding,
+    });
 }
 
 /// Reports a `;` and skips those that follow.

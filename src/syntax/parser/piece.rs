@@ -3,6 +3,7 @@
 use nom::Input;
 
 use super::fault::{Fault, Parsed, expected, told};
+use super::hint::closing_edit;
 use super::stream::Stream;
 use crate::diag::{Code, Diagnostic, Span};
 use crate::syntax::ast::Name;
@@ -142,8 +143,12 @@ fn unclosed(
         )
     {
         let message = format!("expected {what}, found {}", source.described(noticed));
-        Diagnostic::new(Code::E0006, source.span(noticed), message)
-            .related(opener, format!("{} is open", brackets.opening()))
+        let finding = Diagnostic::new(Code::E0006, source.span(noticed), message)
+            .related(opener, format!("{} is open", brackets.opening()));
+        match closing_edit(source, opener, at, brackets.closing().trim_matches('`')) {
+            Some((span, text)) => finding.fix(span, text),
+            None => finding,
+        }
     } else {
         return nom::Err::Failure(fault);
     };

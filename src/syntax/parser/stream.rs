@@ -156,6 +156,41 @@ impl<'a> Source<'a> {
         keyword.begins_declaration() && !self.is_misused_keyword(index)
     }
 
+    /// The text from a parenthesis to the one that closes it, and the index behind that.
+    pub(super) fn enclosed(&self, opening: usize) -> Option<(Span, usize)> {
+        let mut depth = 0_usize;
+        for index in opening..self.tokens.len() {
+            match self.kind(index) {
+                TokenKind::OpenParenthesis => depth += 1,
+                TokenKind::CloseParenthesis => depth = depth.checked_sub(1)?,
+                _ if self.begins_declaration(index) => return None,
+                _ => {}
+            }
+            if depth == 0 {
+                let span = self.span(self.token(opening));
+                return Some((span.to(self.span(self.token(index))), index + 1));
+            }
+        }
+        None
+    }
+
+    /// Whether the innermost bracket that is open before an index is a `[`.
+    pub(super) fn is_in_list(&self, index: usize) -> bool {
+        let mut closed = 0_usize;
+        for own in (0..index).rev() {
+            match self.kind(own) {
+                TokenKind::CloseParenthesis | TokenKind::CloseBracket => closed += 1,
+                TokenKind::OpenParenthesis | TokenKind::OpenBracket if closed > 0 => closed -= 1,
+                kind @ (TokenKind::OpenParenthesis | TokenKind::OpenBracket) => {
+                    return kind == TokenKind::OpenBracket;
+                }
+                _ if self.begins_declaration(own) => return false,
+                _ => {}
+            }
+        }
+        false
+    }
+
     /// What a token is called in a message.
     pub(super) fn described(&self, token: Token) -> String {
         match token.kind {

@@ -1,0 +1,222 @@
+//! The way out of the common slips: words, and an edit where it is certain.
+
+use super::stream::Source;
+use crate::diag::{Diagnostic, Span};
+use crate::syntax::lexer::{Keyword, Token, TokenKind};
+
+/// What is expected behind the name of a curve.
+pub(super) const CURVE_PARAMETER: &str = "the parameter of the curve, `(u)` or `(v)`";
+/// What is expected behind `in`.
+pub(super) const PLANE: &str = "a plane, `xy`, `xz` or `yz`";
+/// What is expected between the domains of a surface.
+pub(super) const TIMES: &str = "`x` and the domain in `v`";
+
+const PLANES: [&str; 3] = ["xy", "xz", "yz"];
+
+/// The finding that `what` was expected at an index, with the way out where one is known.
+pub(super) fn hinted(
+    finding: Diagnostic,
+    source: &Source<'_>,
+    at: usize,
+    what: &'static str,
+) -> Diagnostic {
+    let finding = match hint(source, at, what) {
+        Some(help) => finding.help(help),
+        None => finding,
+    };
+    match edit(source, at, what) {
+        Some((span, text)) => finding.fix(span, text),
+        None => finding,
+    }
+}
+
+fn hint(source: &Source<'_>, at: usize, what: &'static str) -> Option<String> {
+    use TokenKind::*;
+    let token = source.token(at);
+    let before = source.kind_before(at);
+    let help = match (token.kind, what) {
+        (Plus, "an expression") => "a leading `+` has no meaning here; remove it",
+        (Slash, "an expression") if before == Slash => "a comment begins with `#`",
+        (Star, "an expression") if before == Slash => "a comment begins with `#`",
+        (Star, "an expression") if before == Star => "a power is written `^`",
+        (DoubleStar, _) => "a power is written `^`",
+        (Dot, _) if source.kind(at + 1) == Number => "a number begins with a digit: `0.5`",
+        (CloseParenthesis | CloseBracket, _) if before == Comma => "remove the comma",
+        (OpenBracket, _) => {
+            "a point is written `(a, b)`; a list stands only as an argument of a curve"
+        }
+        (Text, _) => "a string stands only as an argument and behind `import`",
+        (Semicolon, _) => "no `;` is needed",
+        (Equal, "an expression") if before == Equal => "a declaration has one `=`",
+        (Colon, "`=`") => "write `=`",
+        (Prime | DoublePrime, "a string") => "a string stands in double quotes",
+        (Keyword(self::Keyword::In), "a unit") => "the units are `mm`, `cm`, `m`, `inch`",
+        (_, "`=`") => return equal_missing(source, at),
+        _ => return None,
+    };
+    Some(help.to_owned())
+}
+
+fn equal_missing(source: &Source<'_>, at: usize) -> Option<String> {
+    use TokenKind::*;
+    let token = source.token(at);
+    let written = source.written(token);
+    match token.kind {
+        Name if PLANES.contains(&written) => Some(format!("write `in {written}`")),
+        Name if nearly(written, "in") && is_plane(source, at + 1) => Some("write `in`".to_owned()),
+        Name if nearly(written, "on") && source.kind(at + 1) == OpenBracket => {
+            Some("write `on`".to_owned())
+        }
+        Name | Number | OpenParenthesis | Minus => Some("write `=` before the value".to_owned()),
+        _ => None,
+    }
+}
+
+type Edit = (Span, String);
+
+/// The edit that undoes a slip.
+fn edit(source: &Source<'_>, at: usize, what: &'static str) -> Option<Edit> {
+    use TokenKind::*;
+    let token = source.token(at);
+    let span = source.span(token);
+    let before = source.kind_before(at);
+    let previous = source.span(source.token(at.wrapping_sub(1)));
+    let replaced = |span: Span, text: &str| Some((span, text.to_owned()));
+    match (token.kind, what) {
+        (Plus, "an expression") => replaced(span, ""),
+        (Slash, "an expression") if before == Slash && previous.end == span.start => {
+            replaced(previous.to(span), "#")
+        }
+        (Star, "an expression") if before == Star => replaced(previous.to(span), "^"),
+        (DoubleStar, _) => replaced(span, "^"),
+        (Dot, "an expression") if source.kind(at + 1) == Number && source.touches_next(at) => {
+            replaced(start_of(span), "0")
+        }
+        (CloseParenthesis | CloseBracket, _)
+            if before == Comma && surplus(source, at) == (0, 0) =>
+        {
+            replaced(previous, "")
+        }
+        (Equal, "an expression") if before == Equal && surplus(source, at) == (0, 0) => {
+            replaced(previous.to(span), "=")
+        }
+        (Colon, "`=`") if source.kind(at + 1) == Equal => {
+            replaced(span.to(source.span(source.token(at + 1))), "=")
+        }
+        (Colon, "`=`") => replaced(span, "="),
+        (Prime, "a string") => quoted(source, at),
+        (Equal | Keyword(_), "`]`") => replaced(end_of(previous), "]"),
+        (Name, PLANE) => {
+            let lower = source.written(token).to_ascii_lowercase();
+            PLANES.contains(&lower.as_str()).then_some((span, lower))
+        }
+        (Star | Name, TIMES) if source.kind(at + 1) == OpenBracket => replaced(span, "x"),
+        (Comma, TIMES) if source.kind(at + 1) == OpenBracket => replaced(span, " x"),
+        (OpenBracket, TIMES) => replaced(start_of(span), "x "),
+        (_, CURVE_PARAMETER) => match source.kind(at.wrapping_sub(2)) {
+            Keyword(self::Keyword::Profile) => replaced(end_of(previous), "(u)"),
+            Keyword(self::Keyword::Sweep) => replaced(end_of(previous), "(v)"),
+            _ => None,
+        },
+        (_, "`=`") => before_the_value(source, at),
+        _ => None,
+    }
+}
+
+/// The edit where a declaration goes on without its `=`.
+fn before_the_value(source: &Source<'_>, at: usize) -> Option<Edit> {
+    use TokenKind::*;
+    let token = source.token(at);
+    let (span, written) = (source.span(token), source.written(token));
+    let edit = match token.kind {
+        Name if PLANES.contains(&written) => (start_of(span), "in "),
+        Name if nearly(written, "in") && is_plane(source, at + 1) => (span, "in"),
+        Name if nearly(written, "on") && source.kind(at + 1) == OpenBracket => (span, "on"),
+        Number | OpenParenthesis | Minus if !has_equal_later(source, at) => (start_of(span), "= "),
+        _ => return None,
+    };
+    Some((edit.0, edit.1.to_owned()))
+}
+
+/// Whether a word of two letters was probably meant.
+fn nearly(written: &str, word: &str) -> bool {
+    let written = written.to_lowercase();
+    written.chars().count() <= 3 && strsim::damerau_levenshtein(&written, word) <= 1
+}
+
+fn is_plane(source: &Source<'_>, at: usize) -> bool {
+    PLANES.contains(&source.written(source.token(at)))
+}
+
+/// Whether an `=` stands on the same line from an index on.
+fn has_equal_later(source: &Source<'_>, at: usize) -> bool {
+    let goes_on = |own: &usize| !source.begins_line(*own) && !source.begins_declaration(*own);
+    let mut line = (at + 1..source.tokens.len()).take_while(goes_on);
+    line.any(|own| source.kind(own) == TokenKind::Equal)
+}
+
+/// A string in double quotes where it stands between primes.
+fn quoted(source: &Source<'_>, at: usize) -> Option<Edit> {
+    let line = (at + 1..source.tokens.len()).take_while(|own| !source.begins_line(*own));
+    let mut line = line.take_while(|own| !source.begins_declaration(*own));
+    let closing = line.find(|own| source.kind(*own) == TokenKind::Prime)?;
+    let (opening, closing) = (source.token(at), source.token(closing));
+    let inner = |from: Token, to: Token| source.text.get(from.end as usize..to.start as usize);
+    let inner = inner(opening, closing).filter(|own| !own.contains('"'))?;
+    let span = source.span(opening).to(source.span(closing));
+    Some((span, format!("\"{inner}\"")))
+}
+
+/// The edit where a bracket is closed by one of the other kind, or by that of the bracket around
+/// it: what the counts of brackets in this declaration say.
+pub(super) fn closing_edit(
+    source: &Source<'_>,
+    opener: Span,
+    at: usize,
+    closing: &str,
+) -> Option<Edit> {
+    let surplus = surplus(source, at);
+    let span = source.span(source.token(at));
+    let inside = source.slice(end_of(opener).to(start_of(span)));
+    match (surplus, closing) {
+        ((1, -1), ")") | ((-1, 1), "]") => Some((span, closing.to_owned())),
+        ((1, 0), ")") if !inside.contains(['(', '[']) => Some((start_of(span), closing.to_owned())),
+        ((0, 1), "]") => Some((start_of(span), closing.to_owned())),
+        _ => None,
+    }
+}
+
+/// How many parentheses, and how many square brackets, are opened and not closed in the
+/// declaration around an index. Where it is not 0, more is wrong than what was noticed first.
+fn surplus(source: &Source<'_>, at: usize) -> (i64, i64) {
+    use TokenKind::*;
+    let start = (0..at).rev().find(|own| source.begins_declaration(*own));
+    let mut surplus = (0, 0);
+    for index in start.unwrap_or(at)..source.tokens.len() {
+        match source.kind(index) {
+            OpenParenthesis => surplus.0 += 1,
+            CloseParenthesis => surplus.0 -= 1,
+            OpenBracket => surplus.1 += 1,
+            CloseBracket => surplus.1 -= 1,
+            _ if index > at && source.begins_declaration(index) => break,
+            _ => {}
+        }
+    }
+    surplus
+}
+
+/// The place before a span.
+pub(super) fn start_of(span: Span) -> Span {
+    Span {
+        end: span.start,
+        ..span
+    }
+}
+
+/// The place behind a span.
+pub(super) fn end_of(span: Span) -> Span {
+    Span {
+        start: span.end,
+        ..span
+    }
+}
