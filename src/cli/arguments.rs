@@ -37,6 +37,8 @@ pub(super) enum Command {
     Report(ReportArguments),
     /// Write the report, the exact net and CAD files of every surface of a file
     Compile(CompileArguments),
+    /// Write files in their canonical layout
+    Fmt(FmtArguments),
 }
 
 #[derive(Debug, Args)]
@@ -79,6 +81,22 @@ pub(super) struct CompileArguments {
     /// Write weights that differ by more than a factor of 10⁶
     #[arg(long)]
     pub(super) allow_weight_ratio: bool,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct FmtArguments {
+    /// The files to format; what is read from standard input goes to standard output
+    #[arg(required = true, value_name = "FILE")]
+    pub(super) files: Vec<PathBuf>,
+    /// Write nothing; list the files that would change, and how
+    #[arg(long)]
+    pub(super) check: bool,
+    /// Write names that have a Latin spelling with it: `sigma`, `kappa`, `rho`
+    #[arg(long, conflicts_with = "unicode")]
+    pub(super) ascii: bool,
+    /// Write these names with Greek letters: `σ`, `κ`, `ρ`
+    #[arg(long)]
+    pub(super) unicode: bool,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]

@@ -3,6 +3,7 @@
 mod arguments;
 mod check;
 mod compile;
+mod fmt;
 mod load;
 mod output;
 mod report;
@@ -65,5 +66,6 @@ fn dispatch(arguments: &Arguments) -> Status {
         Command::Check(own) => check::run(own, arguments),
         Command::Report(own) => report::run(own, arguments),
         Command::Compile(own) => compile::run(own, arguments),
+        Command::Fmt(own) => fmt::run(own, arguments),
     }
 }
