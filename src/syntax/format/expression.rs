@@ -58,7 +58,13 @@ impl Tokens<'_> {
                 Doc::concat(parts)
             }
             ExprKind::Component(base, _) => {
-                Doc::concat(vec![self.expression(base), self.token(), self.token()])
+                let mut parts = vec![self.expression(base)];
+                if let ExprKind::Number(_) = base.kind {
+                    // `2.x` would be half a number
+                    parts.push(Doc::space());
+                }
+                parts.extend([self.token(), self.token()]);
+                Doc::concat(parts)
             }
             ExprKind::Tuple(entries) | ExprKind::List(entries) => self
                 .bracketed(entries.len(), |tokens, place| {
