@@ -6,8 +6,8 @@ use crate::ebnf::{Grammar, Part};
 
 /// Characters for `[^…]`: plain ones, and those that mean something elsewhere.
 const ANY: &[char] = &[
-    'a', 'Z', '0', ' ', '\t', '#', '"', '\'', '(', ']', ',', '=', '/', '*', 'σ', 'ς', 'с', '−', '²',
-    '𝜎', '…', '\\', '.',
+    'a', 'Z', '0', ' ', '\t', '#', '"', '\'', '(', ']', ',', '=', '/', '*', 'σ', 'ς', 'с', '−',
+    '²', '𝜎', '…', '\\', '.',
 ];
 /// Beyond these a derivation takes the shortest way to its end.
 const DEPTH: usize = 40;
@@ -62,10 +62,10 @@ impl<'a> Derivation<'a> {
             Part::Literal(_) | Part::Class(..) => Some(0),
             Part::Optional(..) | Part::Repeated(_, false, _) => Some(0),
             Part::Repeated(_, true, inner) | Part::Except(inner, _) => self.height(inner),
-            Part::Sequence(all) => all.iter().map(|own| self.height(own)).try_fold(
-                0,
-                |highest: usize, own| Some(highest.max(own?)),
-            ),
+            Part::Sequence(all) => all
+                .iter()
+                .map(|own| self.height(own))
+                .try_fold(0, |highest: usize, own| Some(highest.max(own?))),
             Part::Choice(_, all) => all.iter().filter_map(|own| self.height(own)).min(),
         }
     }
@@ -134,7 +134,7 @@ impl<'a> Derivation<'a> {
     /// Section 3.1: no number stands beside a factor, and no `x` that is not applied beside 0.
     fn beside(&mut self, depth: usize, tokens: &mut Vec<String>) {
         let start = tokens.len();
-        if depth > DEPTH || start > TOKENS {
+        if depth + 8 > DEPTH || start > TOKENS {
             // the shortest factor would be a number
             let name = self.word("NAME");
             return tokens.push(format!("n{name}"));

@@ -1,8 +1,8 @@
 //! The notation of `grammar/sweep.ebnf`: the EBNF of the W3C, read into rules.
 
 use std::collections::HashMap;
-use std::iter::Peekable;
-use std::vec::IntoIter;
+use std::iter::{Cloned, Peekable};
+use std::slice::Iter;
 
 /// The right side of a rule. Each place where a derivation chooses has a number of its own.
 #[derive(Debug, Clone)]
@@ -56,7 +56,7 @@ impl Grammar {
                 panic!("no name before `::=`: {:?}", words[*start]);
             };
             let mut reader = Reader {
-                words: words[start + 2..end].to_vec().into_iter().peekable(),
+                words: words[start + 2..end].iter().cloned().peekable(),
                 choices: &mut choices,
             };
             let part = reader.choice();
@@ -208,7 +208,11 @@ fn class(text: &str) -> Word {
             continue;
         }
         let length = match first {
-            '#' => 2 + end_of(&rest[2..], |c| c.is_ascii_digit() || ('A'..='F').contains(&c)),
+            '#' => {
+                2 + end_of(&rest[2..], |c| {
+                    c.is_ascii_digit() || ('A'..='F').contains(&c)
+                })
+            }
             c => c.len_utf8(),
         };
         let c = match first {
@@ -226,7 +230,7 @@ fn class(text: &str) -> Word {
 }
 
 struct Reader<'a> {
-    words: Peekable<IntoIter<Word>>,
+    words: Peekable<Cloned<Iter<'a, Word>>>,
     choices: &'a mut usize,
 }
 
@@ -253,10 +257,7 @@ impl Reader<'_> {
 
     fn sequence(&mut self) -> Part {
         let mut all = Vec::new();
-        while !matches!(
-            self.words.peek(),
-            None | Some(Word::Sign('|' | ')'))
-        ) {
+        while !matches!(self.words.peek(), None | Some(Word::Sign('|' | ')'))) {
             let part = self.repeated();
             if self.takes('-') {
                 let exception = Box::new(self.repeated());

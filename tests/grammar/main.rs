@@ -104,12 +104,19 @@ fn check_format(text: &str, spelling: Spelling) {
     };
     let (again, findings) = parsed(&formatted);
     assert!(!findings.has_errors(), "{text:?}\n{formatted}");
-    assert_eq!(show_document(&document), show_document(&again), "{formatted}");
+    assert_eq!(
+        show_document(&document),
+        show_document(&again),
+        "{formatted}"
+    );
     let twice = formatter.format(&again, &formatted);
     assert_eq!(twice.as_deref(), Some(formatted.as_str()), "{text:?}");
     assert!(!formatted.contains(['\r', '\u{feff}']), "{formatted:?}");
     assert!(!formatted.contains(" \n"), "{formatted:?}");
-    assert!(!formatted.contains("\n\n\n") && !formatted.starts_with('\n'), "{formatted:?}");
+    assert!(
+        !formatted.contains("\n\n\n") && !formatted.starts_with('\n'),
+        "{formatted:?}"
+    );
     assert!(formatted.is_empty() || formatted.ends_with('\n') && !formatted.ends_with("\n\n"));
 }
 
@@ -136,7 +143,10 @@ fn every_production_is_derived_and_every_sentence_parses() {
     for (number, (rule, outcomes)) in choices {
         for outcome in 0..outcomes {
             let taken = derivation.taken.contains_key(&(number, outcome));
-            assert!(taken, "{rule}: outcome {outcome} of a choice is never taken");
+            assert!(
+                taken,
+                "{rule}: outcome {outcome} of a choice is never taken"
+            );
         }
     }
     for rule in ["Keyword", "Sign", "Minus", "Times", "Prime"] {
