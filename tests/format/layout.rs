@@ -82,7 +82,7 @@ fn what_tokens_would_become_together_stays_apart() {
 
 #[test]
 fn long_lines_are_broken() {
-    let terms = vec!["first_name * second_name"; 8].join(" + ");
+    let terms = ["first_name * second_name"; 8].join(" + ");
     let own = formatted(&format!("let sum = {terms}\nexpect f({terms}) == 0"));
     assert!(own.lines().all(|line| line.chars().count() <= 100), "{own}");
     assert_eq!(formatted(&own), own);

@@ -42,56 +42,20 @@ struct Shape<'a> {
 impl Shape<'_> {
     fn declaration(&self, declaration: &Declaration) -> Declaration {
         let mut own = declaration.clone();
+        unplaced(&mut own);
         match &mut own {
-            Declaration::Param { name: own, value } => {
-                name(own);
+            Declaration::Param { value, .. } | Declaration::Let { value, .. } => {
                 self.replace(value);
             }
-            Declaration::Let {
-                name: own,
-                parameters,
-                value,
-            } => {
-                name(own);
-                parameters.iter_mut().for_each(name);
-                self.replace(value);
-            }
-            Declaration::Curve {
-                name: own,
-                parameter,
-                plane,
-                domain,
-                value,
-                ..
-            } => {
-                name(own);
-                name(parameter);
-                if let Some((_, span)) = plane {
-                    *span = Span::default();
-                }
+            Declaration::Curve { domain, value, .. } => {
                 domain.iter_mut().for_each(|own| self.interval(own));
                 self.replace(value);
             }
-            Declaration::Construction {
-                name: own,
-                parameters,
-                body,
-                bindings,
-            } => {
-                name(own);
-                parameters.iter_mut().for_each(name);
+            Declaration::Construction { body, bindings, .. } => {
                 self.replace(body);
-                for (own, value) in bindings {
-                    name(own);
-                    self.replace(value);
-                }
+                bindings.iter_mut().for_each(|(_, own)| self.replace(own));
             }
-            Declaration::Surface {
-                name: own,
-                domain,
-                value,
-            } => {
-                name(own);
+            Declaration::Surface { domain, value, .. } => {
                 if let Some((u, v)) = domain {
                     self.interval(u);
                     self.interval(v);
@@ -104,8 +68,7 @@ impl Shape<'_> {
                     self.replace(right);
                 }
             }
-            Declaration::Import { path_span, .. } => *path_span = Span::default(),
-            Declaration::Unit { name: own } => name(own),
+            Declaration::Import { .. } | Declaration::Unit { .. } => {}
         }
         own
     }
@@ -291,6 +254,47 @@ impl Shape<'_> {
             }
             _ => (self.expression(expr), None),
         }
+    }
+}
+
+/// Takes the places from the names of a declaration; those in its expressions stay.
+fn unplaced(declaration: &mut Declaration) {
+    match declaration {
+        Declaration::Param { name: own, .. }
+        | Declaration::Surface { name: own, .. }
+        | Declaration::Unit { name: own } => name(own),
+        Declaration::Let {
+            name: own,
+            parameters,
+            ..
+        } => {
+            name(own);
+            parameters.iter_mut().for_each(name);
+        }
+        Declaration::Construction {
+            name: own,
+            parameters,
+            bindings,
+            ..
+        } => {
+            name(own);
+            parameters.iter_mut().for_each(name);
+            bindings.iter_mut().for_each(|(own, _)| name(own));
+        }
+        Declaration::Curve {
+            name: own,
+            parameter,
+            plane,
+            ..
+        } => {
+            name(own);
+            name(parameter);
+            if let Some((_, span)) = plane {
+                *span = Span::default();
+            }
+        }
+        Declaration::Import { path_span, .. } => *path_span = Span::default(),
+        Declaration::Expect { .. } => {}
     }
 }
 
