@@ -88,6 +88,12 @@ fn quiet_consequences(diagnostics: &mut Diagnostics, documents: &[Document]) {
     });
 }
 
+/// The standard library's declarations, without its text.
+#[must_use]
+pub fn standard_library() -> Document {
+    library(&mut SourceMap::default(), &mut Diagnostics::default())
+}
+
 /// The standard library's declarations.
 fn library(sources: &mut SourceMap, diagnostics: &mut Diagnostics) -> Document {
     let file = sources.add("<standard library>", LIBRARY);

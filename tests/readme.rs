@@ -32,6 +32,9 @@ fn every_sweep_compiles_without_a_finding() {
             output.status.success() && findings.is_empty(),
             "{text}\n{findings}"
         );
+        let output = example_files::run(root(), &["fmt", "--check", "-"], &text);
+        let change = String::from_utf8(output.stdout).unwrap();
+        assert_eq!(change, "", "not in the canonical layout");
     }
 }
 

@@ -39,6 +39,8 @@ pub(super) enum Command {
     Compile(CompileArguments),
     /// Explain diagnostics by their codes; without one, list all
     Explain(ExplainArguments),
+    /// Write files in their canonical layout
+    Fmt(FmtArguments),
 }
 
 #[derive(Debug, Args)]
@@ -88,6 +90,22 @@ pub(super) struct ExplainArguments {
     /// The codes, such as E0201
     #[arg(value_name = "CODE")]
     pub(super) codes: Vec<String>,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct FmtArguments {
+    /// The files to format; what is read from standard input goes to standard output
+    #[arg(required = true, value_name = "FILE")]
+    pub(super) files: Vec<PathBuf>,
+    /// Write nothing; list the files that would change, and how
+    #[arg(long)]
+    pub(super) check: bool,
+    /// Write names that have a Latin spelling with it: `sigma`, `kappa`, `rho`
+    #[arg(long, conflicts_with = "unicode")]
+    pub(super) ascii: bool,
+    /// Write these names with Greek letters: `σ`, `κ`, `ρ`
+    #[arg(long)]
+    pub(super) unicode: bool,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]

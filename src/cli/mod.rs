@@ -4,6 +4,7 @@ mod arguments;
 mod check;
 mod compile;
 mod explain;
+mod fmt;
 mod load;
 mod output;
 mod report;
@@ -67,5 +68,6 @@ fn dispatch(arguments: &Arguments) -> Status {
         Command::Report(own) => report::run(own, arguments),
         Command::Compile(own) => compile::run(own, arguments),
         Command::Explain(own) => explain::run(own, arguments),
+        Command::Fmt(own) => fmt::run(own, arguments),
     }
 }

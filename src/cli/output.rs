@@ -52,6 +52,25 @@ impl Staged {
         Ok(())
     }
 
+    /// Writes the new text of a file that is there under a temporary name. A link stays a link, and
+    /// the file keeps its permissions.
+    ///
+    /// # Errors
+    ///
+    /// What the file system says; nothing is left behind.
+    pub(super) fn replace(&mut self, path: &Path, bytes: &[u8]) -> io::Result<()> {
+        let path = path.canonicalize()?;
+        let permissions = path.metadata()?.permissions();
+        if permissions.readonly() {
+            return Err(io::Error::from(io::ErrorKind::PermissionDenied));
+        }
+        self.add(path, bytes)?;
+        match self.files.last() {
+            Some((file, _)) => file.as_file().set_permissions(permissions),
+            None => Ok(()),
+        }
+    }
+
     /// Gives all files their names.
     ///
     /// # Errors

@@ -2,7 +2,7 @@ use std::collections::{BTreeSet, HashMap};
 use std::io::{IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
-use crate::diag::{Code, SourceMap, Style, render_text};
+use crate::diag::{Code, Diagnostics, SourceMap, Style, render_text};
 use crate::number::Real;
 use crate::pipeline::{Compilation, Options, compile};
 use crate::syntax::ast::{Declaration, Document};
@@ -80,23 +80,36 @@ impl Session {
 
     /// Prints the findings to standard error.
     pub(super) fn print_findings(&self, color: Color) {
-        let coloured = is_coloured(color, std::io::stderr().is_terminal());
-        let style = if coloured {
-            Style::Coloured
-        } else {
-            Style::Plain
-        };
-        let mut stderr = std::io::stderr().lock();
-        for diagnostic in self.compilation.diagnostics.iter() {
-            let _ = writeln!(stderr, "{}", render_text(diagnostic, &self.sources, style));
-        }
+        print_findings(&self.compilation.diagnostics, &self.sources, color);
     }
 
     /// The codes of the findings.
     pub(super) fn codes(&self) -> BTreeSet<Code> {
-        let findings = self.compilation.diagnostics.iter();
-        findings.map(|own| own.code).collect()
+        codes(&self.compilation.diagnostics)
     }
+}
+
+/// Prints findings to standard error, and where to read more of them.
+pub(super) fn print_diagnostics(diagnostics: &Diagnostics, sources: &SourceMap, color: Color) {
+    print_findings(diagnostics, sources, color);
+    print_hint(&codes(diagnostics));
+}
+
+fn print_findings(diagnostics: &Diagnostics, sources: &SourceMap, color: Color) {
+    let coloured = is_coloured(color, std::io::stderr().is_terminal());
+    let style = if coloured {
+        Style::Coloured
+    } else {
+        Style::Plain
+    };
+    let mut stderr = std::io::stderr().lock();
+    for diagnostic in diagnostics.iter() {
+        let _ = writeln!(stderr, "{}", render_text(diagnostic, sources, style));
+    }
+}
+
+fn codes(diagnostics: &Diagnostics) -> BTreeSet<Code> {
+    diagnostics.iter().map(|own| own.code).collect()
 }
 
 /// One line that names the pages on some codes, to standard error.

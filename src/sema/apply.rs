@@ -10,7 +10,7 @@ use crate::syntax::ast::{Argument, Expr, ExprKind, Name, Reference, Role};
 
 use super::call::BUILT_IN;
 use super::definition::{Definition, DefinitionForm};
-use super::lowerer::{Lowered, Lowerer, Meaning, RESERVED, Reported, parameter_of};
+use super::lowerer::{Lowered, Lowerer, Meaning, RESERVED, Reported};
 use super::scope::{Binding, Frame, Function, Scope};
 use super::value::Value;
 
@@ -22,16 +22,7 @@ impl<'a> Lowerer<'a> {
             Some(_) => true,
             None => self.names_constant(name),
         };
-        if let Some(qualifier) = &function.qualifier {
-            return !stands_for_value(qualifier) && parameter_of(&qualifier.text).is_none();
-        }
-        let name = function.name.text.as_str();
-        if function.primes > 0 {
-            return true;
-        }
-        !stands_for_value(&function.name)
-            && parameter_of(name).is_none()
-            && !["i", "j", "k"].contains(&name)
+        super::names::applies(function, stands_for_value)
     }
 
     /// What a name means in the construction around it; a `where` name is worked out now.

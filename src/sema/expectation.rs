@@ -13,6 +13,15 @@ enum Side {
     Value(Value),
 }
 
+/// What an expectation may ask of a surface.
+pub(super) const QUERIES: [&str; 5] = [
+    "bidegree",
+    "common_factor",
+    "positive_weights",
+    "rational_offset",
+    "regular",
+];
+
 impl<'a> Lowerer<'a> {
     pub(super) fn expectation(
         &mut self,

@@ -470,7 +470,7 @@ fn reserved_meaning(name: &str) -> &'static str {
 }
 
 /// The name that a declaration gives a meaning, and that meaning.
-fn definition_of(declaration: &Declaration) -> Option<(&Name, DefinitionForm<'_>)> {
+pub(super) fn definition_of(declaration: &Declaration) -> Option<(&Name, DefinitionForm<'_>)> {
     use Declaration as D;
     use DefinitionForm as F;
     #[rustfmt::skip]

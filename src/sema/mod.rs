@@ -13,6 +13,7 @@ mod definition;
 mod expectation;
 mod expression;
 mod lowerer;
+mod names;
 mod product;
 mod program;
 mod property;
@@ -23,4 +24,5 @@ mod unknown;
 mod value;
 
 pub use lowerer::{Sources, lower};
+pub use names::Names;
 pub use program::Program;
