@@ -75,7 +75,7 @@ impl Basis {
     fn name(&self, generator: &Generator) -> String {
         match self.generators.iter().position(|own| own == generator) {
             Some(index) => format!("r{}", index + 1),
-            None => radical(generator),
+            None => generator.to_string(),
         }
     }
 
@@ -136,15 +136,7 @@ impl Basis {
 
 /// The number n/d with every radical written out: `3/2 + 1/4*√2`.
 pub(super) fn radicals(numerator: &SurdInteger, denominator: &Integer) -> String {
-    sum(numerator, denominator, &radical)
-}
-
-/// `√2`, `√(-35 + 40*√2)`
-fn radical(generator: &Generator) -> String {
-    match generator.square() {
-        SurdInteger::Rational(own) => format!("√{own}"),
-        own @ SurdInteger::Irrational(_) => format!("√({own})"),
-    }
+    sum(numerator, denominator, &Generator::to_string)
 }
 
 /// The components of n/d over the products of generators, by the generators' names.

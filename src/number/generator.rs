@@ -147,8 +147,18 @@ impl PartialEq for Generator {
 
 impl Eq for Generator {}
 
+/// `√2`, `√(-35 + 40*√2)`
+impl fmt::Display for Generator {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.0.square {
+            SurdInteger::Rational(own) => write!(formatter, "√{own}"),
+            own @ SurdInteger::Irrational(_) => write!(formatter, "√({own})"),
+        }
+    }
+}
+
 impl fmt::Debug for Generator {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(formatter, "√({})", self.0.square)
+        fmt::Display::fmt(self, formatter)
     }
 }
