@@ -54,8 +54,7 @@ impl Enclosure {
     /// The ends, as rational numbers.
     #[must_use]
     pub fn ends(&self) -> [Rational; 2] {
-        let unit = Integer::from(1) << self.precision;
-        [&self.lower, &self.upper].map(|end| Rational::new(end.clone(), unit.clone()))
+        [&self.lower, &self.upper].map(|end| Rational::dyadic(end, self.precision))
     }
 
     /// The sign, if it is the same everywhere in the interval.

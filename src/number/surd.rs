@@ -153,6 +153,18 @@ impl Surd {
         self.decide(|own| own.decimal(digits))
     }
 
+    /// The number for a message: as it is, or, where that is long, its first digits.
+    #[must_use]
+    pub fn brief(&self) -> String {
+        const LONGEST: usize = 40;
+        let exact = self.to_string();
+        if exact.chars().count() <= LONGEST {
+            exact
+        } else {
+            format!("≈ {}", self.decimal(6))
+        }
+    }
+
     /// The size of the largest rational integer in it.
     #[must_use]
     pub fn bits(&self) -> u64 {

@@ -21,7 +21,7 @@ pub struct CurveReport {
 pub(super) struct LengthReport {
     pub(super) exact: String,
     pub(super) decimal: String,
-    /// With every radical written out.
+    /// With every radical written out, where that is short.
     #[serde(skip)]
     pub(super) readable: String,
 }
@@ -51,7 +51,7 @@ impl CurveReport {
         let length = arc_length(curve).map(|length| LengthReport {
             exact: basis.spell(&length),
             decimal: significant(LENGTH_DIGITS, |digits| Some(length.decimal(digits))),
-            readable: length.to_string(),
+            readable: basis.readable(&length),
         });
         let hermite = curve.preimage().zip(curve.interpolant());
         Self {
@@ -73,17 +73,16 @@ impl HermiteReport {
                 Choice::LeastRotation => "least absolute rotation index",
                 Choice::FirstOfEqual => "first of those with the least absolute rotation index",
             },
-            rotation_index: digits(&|bits| rotation_index(preimage, domain, bits)),
-            bending_energy: energy(24)
-                .map(|_| digits(&|bits| energy(bits).unwrap_or_else(|| Enclosure::pi(bits)))),
+            rotation_index: digits(&|bits| Some(rotation_index(preimage, domain, bits))),
+            bending_energy: (!preimage.has_cusp(domain)).then(|| digits(&energy)),
         }
     }
 }
 
 /// The first digits of a number that is enclosed at growing precisions.
-fn digits(enclose: &impl Fn(u32) -> Enclosure) -> String {
-    let known = [48, 96, 192].into_iter().map(enclose);
-    let mut texts = known.filter_map(|own| {
+fn digits(enclose: &impl Fn(u32) -> Option<Enclosure>) -> String {
+    let known = [38, 76, 152].into_iter().map(enclose);
+    let mut texts = known.flatten().filter_map(|own| {
         let text = significant(DIGITS, |digits| own.decimal(digits));
         (!text.is_empty()).then_some(text)
     });

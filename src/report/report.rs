@@ -256,15 +256,15 @@ impl SurfaceReport {
                 .iter()
                 .map(|(own, line)| expectation(own, *line))
                 .collect(),
-            remarks: remarks(surface),
+            remarks: remarks(surface, basis),
         }
     }
 }
 
-fn remarks(surface: &Checked) -> Remarks {
+fn remarks(surface: &Checked, names: &Basis) -> Remarks {
     let expansion = surface.expansion();
     Remarks {
-        field: field(&basis(surface)),
+        field: names.describe(&basis(surface)),
         common_factor: expansion.common_factor.to_string(),
         coprimality: match expansion.coprimality {
             Some(Coprimality::Modular(prime)) => format!("coprime, proved modulo {}", prime.name()),
@@ -278,13 +278,6 @@ fn remarks(surface: &Checked) -> Remarks {
             .map(|range| (number(&range.min), number(&range.max))),
         poles: surface.poles().iter().map(ToString::to_string).collect(),
     }
-}
-
-/// `Q(√2)(√(110 + 100*√2)), degree 4`; none for the rational numbers.
-fn field(basis: &Basis) -> Option<String> {
-    let generators = basis.generators().iter();
-    let adjoined: String = generators.map(|own| format!("({own})")).collect();
-    (!basis.is_rational()).then(|| format!("Q{adjoined}, degree {}", basis.degree()))
 }
 
 /// A number as a reader wants it: exact where that is short, else its first digits.

@@ -142,14 +142,12 @@ pub(super) fn facts(surface: &SurfaceReport) -> Vec<(&'static str, String)> {
 /// What there is to say of a curve, each with its label.
 pub(super) fn curve_facts(curve: &CurveReport) -> Vec<(&'static str, String)> {
     let mut facts = Vec::new();
-    if let Some(length) = &curve.arc_length {
-        let text = if length.readable == length.decimal {
-            length.decimal.clone()
-        } else {
-            format!("{} ≈ {}", length.readable, length.decimal)
-        };
-        facts.push(("arc length", text));
-    }
+    let length = match &curve.arc_length {
+        None => "not a rational function".to_owned(),
+        Some(length) if length.readable == length.decimal => length.decimal.clone(),
+        Some(length) => format!("{} ≈ {}", length.readable, length.decimal),
+    };
+    facts.push(("arc length", length));
     if let Some(own) = &curve.ph_hermite {
         let energy = own.bending_energy.as_deref().unwrap_or("infinite");
         facts.push(("branch", format!("{} ({})", own.branch, own.choice)));
