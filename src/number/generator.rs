@@ -100,15 +100,12 @@ impl Generator {
         self.0.place.get_or_init(|| self.find_place()).as_ref()
     }
 
-    /// Primes q ≡ 3 modulo 4 are tried, as square roots modulo those are powers. Since the field
-    /// is real, a complex conjugation fixes it and moves i: such primes with a place exist, and
-    /// are not rare. (Chebotarev's density theorem)
+    /// Primes with a place are not rare: each has one on average. (Chebotarev's density theorem)
     fn find_place(&self) -> Option<Place> {
         let chain = self.chain();
         let first = std::iter::once(Modulus::mersenne());
         let primes = first.chain(Modulus::descending());
         primes
-            .filter(|modulus| modulus.prime() % 4 == 3)
             .take(PRIMES)
             .find_map(|modulus| roots_modulo(&chain, modulus, &mut Vec::new()))
     }

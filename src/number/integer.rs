@@ -4,7 +4,7 @@ use std::str::FromStr;
 
 use num_bigint::BigInt;
 
-use super::{Place, Ring};
+use super::{Basis, Place, Ring};
 
 /// A rational integer of any size.
 ///
@@ -294,6 +294,14 @@ impl Ring for Integer {
 
     fn image(&self, place: &Place) -> u64 {
         place.modulus().embed_integer(self)
+    }
+
+    fn basis<'a>(_: impl IntoIterator<Item = &'a Self>) -> Basis {
+        Basis::default()
+    }
+
+    fn from_components(_: &Basis, components: &[Integer]) -> Self {
+        components.first().cloned().unwrap_or_default()
     }
 
     fn bits(&self) -> u64 {
