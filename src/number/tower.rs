@@ -205,12 +205,12 @@ pub(super) fn root_within(radicand: &Surd, top: Option<&Generator>) -> Option<Su
     }
 }
 
-/// How many images a number without a root is given to show it; each does so for half of them.
-const WITNESSES: usize = 12;
-
 /// Whether an image at a place shows that a number is no square in the field up to `top`.
+///
+/// An image does so for half of the numbers that are none. The search for a root that does not
+/// exist is the longer the higher the tower is, so there the number is given more images.
 fn refuted(radicand: &Surd, top: &Generator) -> bool {
-    top.places().take(WITNESSES).any(|place| {
+    top.places().take(top.level()).any(|place| {
         let modulus = place.modulus();
         let denominator = modulus.embed_integer(radicand.denominator());
         let image = modulus.times(radicand.numerator().image(&place), denominator);

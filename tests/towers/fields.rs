@@ -146,7 +146,6 @@ impl Field {
                     })
             }
             Spec::Tiny(index, exponent) => {
-                let one = Number::ratio(1.into(), 1.into());
                 let Some(own) = self.radicals.get(*index % self.radicals.len().max(1)) else {
                     return Number::ratio(1.into(), BigInt::from(3).pow(*exponent));
                 };
@@ -155,8 +154,13 @@ impl Field {
                     let (numerator, denominator) = value.parts();
                     num_integer::Integer::div_floor(&numerator, &denominator)
                 });
-                own.minus(&one.times(&Number::ratio(floor, 1.into())))
-                    .power(*exponent)
+                let rest = own.minus(&Number::ratio(floor, 1.into()));
+                // Nearly integers are small enough at once.
+                let large = Number::ratio(1.into(), 1_000.into());
+                if large.minus(&rest).ball.sign().is_gt() {
+                    return rest.power(*exponent % 4 + 1);
+                }
+                rest.power(*exponent)
             }
         }
     }

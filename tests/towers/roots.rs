@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use sweepc::number::{Complex, Field as _, Integer, RootFault, Surd, Tower};
 
 use crate::cases::for_all;
-use crate::fields::{Field, field, number, small_number};
+use crate::fields::{Field, Spec, field, number, small_number};
 
 fn ratio((n, d): (i64, i64)) -> Surd {
     Surd::ratio(n.into(), d.into())
@@ -217,21 +217,32 @@ fn large_towers_answer() {
     ]
     .map(Field::new);
     assert!(fields.iter().all(|own| own.tower.degree() >= 64));
-    for_all(
-        24,
-        (0_usize..2, number(), number()),
-        |(index, one, other)| {
-            let field = &fields[index];
-            let (one, other) = (field.number(&one), field.number(&other));
-            let own = one.exact.absolute();
-            let tower = field.tower.fork();
-            prop_assert_eq!(tower.square_root(&(&own * &own)), Ok(own));
-            let radicand = one.times(&other);
-            let root = radicand.root(&tower).unwrap().exact;
-            prop_assert_eq!(&root * &root, radicand.exact.absolute());
-            Ok(())
-        },
-    );
+    let term = || (-9_i64..=9, 1_i64..=6, 0_usize..64);
+    let dense = || prop::collection::vec(term(), 1..64).prop_map(Spec::Sum);
+    for_all(40, (0_usize..2, dense(), dense()), |(index, one, other)| {
+        let field = &fields[index];
+        let (one, other) = (field.number(&one), field.number(&other));
+        let own = one.exact.absolute();
+        let tower = field.tower.fork();
+        prop_assert_eq!(tower.square_root(&(&own * &own)), Ok(own));
+        let radicand = one.times(&other);
+        let root = radicand.root(&tower).unwrap().exact;
+        prop_assert_eq!(&root * &root, radicand.exact.absolute());
+        Ok(())
+    });
+}
+
+#[test]
+fn high_towers_have_places() {
+    for text in [
+        "2 r ; 3 r ; 5 r ; 7 r ; 11 r ; 13 r ; 17 r ; 19 r",
+        "2 r 1 + r 1 + r 1 + r 1 + r 1 + r 1 + r",
+        "2 r r r r r r r",
+        "7 r 1 - r 3 + r 1 - r 2 + r 1 - r 5 + r",
+    ] {
+        let top = Field::new(text).tower.top().unwrap();
+        assert!(top.place().is_some(), "{text}");
+    }
 }
 
 #[test]
