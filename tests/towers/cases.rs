@@ -14,7 +14,7 @@ pub(crate) fn for_all<S: Strategy>(
     let config = Config {
         cases: cases.saturating_mul(factor),
         failure_persistence: None,
-        max_shrink_iters: 4_096,
+        max_shrink_iters: 512,
         ..Config::default()
     };
     let rng = TestRng::deterministic_rng(RngAlgorithm::ChaCha);

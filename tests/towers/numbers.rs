@@ -193,3 +193,51 @@ fn spelled_numbers_read_back() {
         Ok(())
     });
 }
+
+#[test]
+fn sums_of_roots_compare_as_real_numbers_do() {
+    let radicand = || prop_oneof![1_i64..40, 999_990_i64..1_000_010, Just(i64::MAX)];
+    let side = || prop::collection::vec(radicand(), 3);
+    for_all(250, (side(), side()), |(left, right)| {
+        let tower = sweepc::number::Tower::new(1 << 9);
+        let zero = Number::ratio(0.into(), 1.into());
+        let sum = |list: &[i64]| {
+            list.iter().fold(zero.clone(), |sum, own| {
+                let own = Number::ratio((*own).into(), 1.into());
+                sum.plus(&own.root(&tower).unwrap())
+            })
+        };
+        let (a, b) = (sum(&left), sum(&right));
+        let order = a.ball.minus(&b.ball).sign();
+        prop_assert_eq!(a.exact.cmp(&b.exact), order);
+        // √(n − 1) + √(n + 1) < 2√n
+        let middle = i128::from(left[0]);
+        let near = [middle - 1, middle, middle + 1];
+        let near = near.map(|own| Number::ratio(own.into(), 1.into()));
+        let [below, middle, above] = near.map(|own| own.root(&tower).unwrap().exact);
+        prop_assert!(&below + &above < &middle * &Surd::from(2));
+        Ok(())
+    });
+}
+
+#[test]
+fn texts_that_spell_no_number_are_refused() {
+    let text = prop_oneof![
+        2 => "[-+*/ r0-3]{0,8}",
+        1 => "(-?[0-9](/[0-9])?(\\*r[0-3]){0,2} [-+] ){0,3}r[0-3]",
+        1 => "[-+*/ er.0-9√π]{0,8}",
+    ];
+    for_all(5_000, (0_usize..20, text), |(index, text)| {
+        let field = field(index);
+        let all = field.radicals.iter().map(|own| own.exact.numerator());
+        let basis = Basis::of(all);
+        if let Some(own) = basis.read(&text) {
+            let spelled = basis.spell(&own);
+            prop_assert_eq!(basis.read(&spelled), Some(own), "{}", text);
+        } else {
+            let whole = text.trim().parse::<Surd>();
+            prop_assert!(whole.is_err() || text.contains(['e', '+', ' ']), "{}", text);
+        }
+        Ok(())
+    });
+}
