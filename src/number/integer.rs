@@ -155,6 +155,21 @@ macro_rules! from_primitive {
 
 from_primitive!(i32 i64 i128 u8 u32 u64 u128 usize);
 
+impl From<BigInt> for Integer {
+    fn from(value: BigInt) -> Self {
+        Self::of_long(value)
+    }
+}
+
+impl From<&Integer> for BigInt {
+    fn from(value: &Integer) -> Self {
+        match value.form() {
+            Form::Machine(own) => (*own).into(),
+            Form::Long(own) => own.clone(),
+        }
+    }
+}
+
 macro_rules! into_primitive {
     ($($type:ty)*) => {$(
         /// Fails beyond the range of the type.

@@ -133,7 +133,8 @@ impl Surd {
 
     /// The answer that both ends of a narrow enclosure of an irrational number agree on.
     ///
-    /// The question must have the same answer everywhere near the number.
+    /// The question must have the same answer everywhere near the number, and an answer that it
+    /// has at two numbers at all numbers between them: the ends need not have the number's sign.
     #[must_use]
     pub fn decide<T: PartialEq>(&self, question: impl Fn(&Rational) -> T) -> T {
         if let Some(rational) = self.as_rational() {

@@ -287,7 +287,7 @@ impl Ring for SurdInteger {
     fn place(&self) -> Option<Place> {
         match self.level() {
             None => Some(Place::rational()),
-            Some(generator) => generator.place().cloned(),
+            Some(generator) => generator.place(),
         }
     }
 
