@@ -1,0 +1,269 @@
+//! The workloads: swept surfaces as data, written as `.sweep` text and compiled by the functions that
+//! `compile` calls.
+
+use std::collections::HashMap;
+use std::time::{Duration, Instant};
+
+use serde::Deserialize;
+use sweepc::diag::{Diagnostics, Limits, SourceMap};
+use sweepc::export::{Double, RoundedNet};
+use sweepc::net::ControlNet;
+use sweepc::number::Real;
+use sweepc::poly::{BiDegree, UniPoly, from_bernstein};
+use sweepc::sema;
+use sweepc::sweep::Expansion;
+use sweepc::syntax::ast::Document;
+
+const LIBRARY: &str = include_str!("../../src/std/constructions.sweep");
+
+/// A set of records.
+#[derive(Debug, Deserialize)]
+pub(crate) struct Set {
+    pub(crate) cases: Vec<Record>,
+}
+
+/// A swept surface: a sweep curve with the hodograph h w², a profile (X/D, Z/D), a formula.
+#[derive(Debug, Deserialize)]
+pub(crate) struct Record {
+    pub(crate) id: String,
+    kind: String,
+    w: Vec<[Coefficient; 2]>,
+    h: Vec<String>,
+    s0: [String; 2],
+    profile: Profile,
+    d: String,
+    c: String,
+    #[serde(default)]
+    field: Vec<u32>,
+    pub(crate) expected: Option<Expected>,
+}
+
+/// A rational number, or its components on 1, √a, √b, √(ab).
+#[derive(Debug, Deserialize)]
+#[serde(untagged)]
+enum Coefficient {
+    Rational(String),
+    Components(Vec<String>),
+}
+
+/// Power coefficients in u.
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "UPPERCASE")]
+struct Profile {
+    x: Vec<String>,
+    z: Vec<String>,
+    d: Vec<String>,
+}
+
+/// What three other programs found.
+#[derive(Debug, Deserialize)]
+pub(crate) struct Expected {
+    pub(crate) hash: String,
+    pub(crate) bidegree: [usize; 2],
+    pub(crate) common_factor: [usize; 2],
+}
+
+impl Record {
+    /// The surface as `.sweep` text.
+    pub(crate) fn text(&self) -> String {
+        let Profile { x, z, d } = &self.profile;
+        let [x, z, d] = [x, z, d].map(|own| polynomial(own, "u"));
+        let formula = match self.kind.as_str() {
+            "oriented" => "c(v) + x(u) n(v) + z(u) k".to_owned(),
+            "offset" => format!("c(v) + ({}) n(v) + (x(u), 0, z(u))", self.d),
+            "conical" => "c(v) + s(v) / length(c) * (x(u) n(v) + z(u) k)".to_owned(),
+            "conical_inv" => {
+                let c = &self.c;
+                format!("c(v) + ({c}) / ({c} + s(v)) * (x(u) n(v) + z(u) k)")
+            }
+            "involute" => "c(v) - s(v) t(v) + x(u) t(v) + z(u) k".to_owned(),
+            kind => unreachable!("{kind}"),
+        };
+        format!(
+            "profile p(u) in xz = (({x}) / ({d}), ({z}) / ({d}))\n\
+             sweep c(v) in xy = {}\nsurface R = {formula}\n",
+            self.curve()
+        )
+    }
+
+    /// The sweep curve, by its preimage or, where a real factor h is given, by its coordinates.
+    fn curve(&self) -> String {
+        let [start_x, start_y] = &self.s0;
+        if self.h.is_empty() {
+            let pairs = self.w.iter().map(|[re, im]| {
+                let part = |own: &Coefficient| own.text(&self.field);
+                format!("({}, {})", part(re), part(im))
+            });
+            let pairs: Vec<String> = pairs.collect();
+            return format!(
+                "ph(start: ({start_x}, {start_y}), preimage: [{}])",
+                pairs.join(", ")
+            );
+        }
+        let part = |index: usize| {
+            let own: Vec<Real> = self.w.iter().map(|pair| pair[index].rational()).collect();
+            from_bernstein(&own, &0.into(), &1.into())
+        };
+        let (re, im) = (part(0), part(1));
+        let h =
+            UniPoly::from_coefficients(&self.h.iter().map(|own| number(own)).collect::<Vec<_>>());
+        let slopes = [&(&re * &re) - &(&im * &im), (&re * &im).scale(&2.into())];
+        let coordinate = |slope: &UniPoly<Real>, start: &str| {
+            let own = &(slope * &h).antiderivative() + &UniPoly::constant(&number(start));
+            let own: Vec<String> = own.coefficients().iter().map(ToString::to_string).collect();
+            polynomial(&own, "v")
+        };
+        let [x, y] = &slopes;
+        format!("({}, {})", coordinate(x, start_x), coordinate(y, start_y))
+    }
+}
+
+impl Coefficient {
+    fn text(&self, field: &[u32]) -> String {
+        match self {
+            Self::Rational(own) => own.clone(),
+            Self::Components(own) => {
+                let product = |index: usize| {
+                    let roots = field
+                        .iter()
+                        .enumerate()
+                        .filter(|(bit, _)| index >> bit & 1 == 1);
+                    roots
+                        .map(|(_, own)| format!(" * sqrt({own})"))
+                        .collect::<String>()
+                };
+                let terms = own.iter().enumerate();
+                let terms: Vec<String> = terms
+                    .map(|(index, own)| format!("({own}){}", product(index)))
+                    .collect();
+                terms.join(" + ")
+            }
+        }
+    }
+
+    fn rational(&self) -> Real {
+        match self {
+            Self::Rational(own) => number(own),
+            Self::Components(own) => number(&own[0]),
+        }
+    }
+}
+
+fn number(text: &str) -> Real {
+    text.parse().unwrap_or_else(|()| unreachable!("{text}"))
+}
+
+fn polynomial(coefficients: &[String], variable: &str) -> String {
+    let terms = coefficients.iter().enumerate();
+    let terms: Vec<String> = terms
+        .map(|(power, own)| format!("({own}) * {variable}^{power}"))
+        .collect();
+    if terms.is_empty() {
+        "0".to_owned()
+    } else {
+        terms.join(" + ")
+    }
+}
+
+/// A parsed record, ready to be compiled any number of times.
+pub(crate) struct Parsed {
+    map: SourceMap,
+    document: Document,
+    library: Document,
+    limits: Limits,
+}
+
+/// What a compilation gave, and how long its steps took.
+pub(crate) struct Outcome {
+    pub(crate) bidegree: [usize; 2],
+    pub(crate) common_factor: [usize; 2],
+    pub(crate) hash: String,
+    /// lower, expand and reduce, Bernstein, round
+    pub(crate) times: [Duration; 4],
+}
+
+impl Parsed {
+    /// Parses the text of a record.
+    pub(crate) fn new(record: &Record) -> Self {
+        let limits = Limits {
+            degree: usize::MAX,
+            terms: usize::MAX,
+            ..Limits::default()
+        };
+        let (mut map, mut found) = (SourceMap::default(), Diagnostics::default());
+        let text = record.text();
+        let file = map.add("workload.sweep", &text);
+        let document = sweepc::syntax::parse(file, &text, &limits, &mut found);
+        let file = map.add("library", LIBRARY);
+        let library = sweepc::syntax::parse(file, LIBRARY, &limits, &mut found);
+        assert!(!found.has_errors(), "{text}\n{found:?}");
+        Self {
+            map,
+            document,
+            library,
+            limits,
+        }
+    }
+
+    /// From the tree to the doubles.
+    pub(crate) fn compile(&self) -> Outcome {
+        let mut found = Diagnostics::default();
+        let start = Instant::now();
+        let program = sema::lower(
+            &sema::Sources {
+                map: &self.map,
+                documents: std::slice::from_ref(&self.document),
+                library: std::slice::from_ref(&self.library),
+                overrides: &HashMap::new(),
+                limits: &self.limits,
+            },
+            &mut found,
+        );
+        let lowered = Instant::now();
+        let Some(surface) = program.surfaces.first() else {
+            unreachable!("{found:?}");
+        };
+        let expansion = Expansion::of(surface, &self.limits);
+        let expansion = expansion.unwrap_or_else(|own| unreachable!("{own:?}"));
+        let expanded = Instant::now();
+        let (zero, one) = (Real::from(0), Real::from(1));
+        let coordinates = expansion.surface.coordinates();
+        let net = ControlNet::bezier(coordinates.each_ref(), (&zero, &one), (&zero, &one));
+        let Some(net) = net else {
+            unreachable!("the first weight is 0");
+        };
+        let converted = Instant::now();
+        let rounded = RoundedNet::new(&net);
+        let rounded = rounded.unwrap_or_else(|own| unreachable!("{own:?}"));
+        let end = Instant::now();
+        let pair = |own: BiDegree| [own.u, own.v];
+        Outcome {
+            bidegree: pair(expansion.surface.bidegree()),
+            common_factor: expansion.common_factor.bidegree().map_or([0, 0], pair),
+            hash: hash(&rounded),
+            times: [
+                lowered - start,
+                expanded - lowered,
+                converted - expanded,
+                end - converted,
+            ],
+        }
+    }
+}
+
+/// FNV-1a 64 over the little-endian bytes of x y z w, point by point, u outside and v inside.
+fn hash(net: &RoundedNet) -> String {
+    let mut hash = 0xcbf2_9ce4_8422_2325_u64;
+    let mut take = |own: &Double| {
+        for byte in own.value().to_bits().to_le_bytes() {
+            hash = (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+        }
+    };
+    for (weights, points) in net.weights.iter().zip(&net.points) {
+        for (weight, point) in weights.iter().zip(points) {
+            point.iter().for_each(&mut take);
+            take(weight);
+        }
+    }
+    format!("{hash:016x}")
+}
