@@ -134,8 +134,6 @@ impl SurdInteger {
 
     /// a ± b, by the operation on rational integers.
     fn combine(&self, other: &Self, join: &impl Fn(&Integer, &Integer) -> Integer) -> Self {
-        let zero = Self::zero();
-        let parts = |own: &Binomial| (own.constant.clone(), own.slope.clone());
         match (self, other) {
             (Self::Rational(left), Self::Rational(right)) => Self::Rational(join(left, right)),
             (Self::Irrational(left), _) if self.height() > other.height() => {
@@ -145,14 +143,41 @@ impl SurdInteger {
             (Self::Irrational(left), Self::Irrational(right))
                 if self.height() == other.height() =>
             {
-                let ((a, b), (c, d)) = (parts(left), parts(right));
-                Self::binomial(a.combine(&c, join), b.combine(&d, join), &left.generator)
+                let constant = left.constant.combine(&right.constant, join);
+                let slope = left.slope.combine(&right.slope, join);
+                Self::binomial(constant, slope, &left.generator)
             }
             (_, Self::Irrational(right)) => {
                 let constant = self.combine(&right.constant, join);
-                Self::binomial(constant, zero.combine(&right.slope, join), &right.generator)
+                let slope = Self::zero().combine(&right.slope, join);
+                Self::binomial(constant, slope, &right.generator)
             }
             (Self::Irrational(_), Self::Rational(_)) => self.clone(),
+        }
+    }
+
+    /// a += b, in the memory of a.
+    fn accumulate(&mut self, other: Self) {
+        if self.height() < other.height() {
+            let own = std::mem::replace(self, other);
+            return self.accumulate(own);
+        }
+        match (&mut *self, other) {
+            (Self::Rational(own), Self::Rational(other)) => *own += other,
+            (Self::Irrational(own), Self::Irrational(other))
+                if own.generator.level() == other.generator.level() =>
+            {
+                let Binomial {
+                    constant, slope, ..
+                } = *other;
+                own.constant.accumulate(constant);
+                own.slope.accumulate(slope);
+                if own.slope.is_zero() {
+                    *self = std::mem::replace(&mut own.constant, Self::zero());
+                }
+            }
+            (Self::Irrational(own), other) => own.constant.accumulate(other),
+            (Self::Rational(_), Self::Irrational(_)) => {}
         }
     }
 }
@@ -218,7 +243,7 @@ impl Ring for SurdInteger {
         {
             own.add_product(left, right);
         } else {
-            *self = self.plus(&left.times(right));
+            self.accumulate(left.times(right));
         }
     }
 
