@@ -82,7 +82,7 @@ impl Interpolant {
     }
 }
 
-fn on_unit(polynomial: &UniPoly<Real>, degree: usize) -> Vec<Real> {
+pub(crate) fn on_unit(polynomial: &UniPoly<Real>, degree: usize) -> Vec<Real> {
     bernstein(polynomial, degree, &Real::zero(), &Real::one())
 }
 

@@ -12,6 +12,7 @@
 
 mod hermite;
 mod nets;
+mod printed;
 mod reference;
 mod regularity;
 #[path = "../support/mod.rs"]

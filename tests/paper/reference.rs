@@ -40,15 +40,55 @@ impl Embedding {
     /// Each generator is the positive root of its square, so there is one embedding into the reals,
     /// and the tower finds it. It grows if it does not hold the field.
     pub(crate) fn new(data: &Value, field: &str, tower: &Tower) -> Self {
-        let mut own = Self {
-            products: vec![Real::one()],
-        };
-        for square in items(&data["fields"][field]) {
-            let generator = tower.square_root(&own.number(text(square))).unwrap();
+        let squares = items(&data["fields"][field]).iter();
+        Self::of(squares.map(text), Self::number, tower)
+    }
+
+    /// The same for generators that are listed as `{"name": "r1", "square": "2"}`.
+    pub(crate) fn of_generators(list: &Value, tower: &Tower) -> Self {
+        let squares = items(list).iter().map(|own| text(&own["square"]));
+        Self::of(squares, Self::sum, tower)
+    }
+
+    fn of<'a>(
+        squares: impl Iterator<Item = &'a str>,
+        read: impl Fn(&Self, &str) -> Real,
+        tower: &Tower,
+    ) -> Self {
+        let products = vec![Real::one()];
+        squares.fold(Self { products }, |mut own, square| {
+            let generator = tower.square_root(&read(&own, square)).unwrap();
             let further: Vec<Real> = own.products.iter().map(|one| one * &generator).collect();
             own.products.extend(further);
-        }
-        own
+            own
+        })
+    }
+
+    /// A number as a sum: `3/2 + 1/4*r1 - r1*r2`.
+    pub(crate) fn sum(&self, sum: &str) -> Real {
+        let terms = sum.replace(" - ", " + -");
+        terms.split(" + ").fold(Real::zero(), |sum, term| {
+            let (negative, term) = match term.strip_prefix('-') {
+                Some(term) => (true, term),
+                None => (false, term),
+            };
+            let product = term.split('*').fold(Real::one(), |product, factor| {
+                let factor = match factor.strip_prefix('r') {
+                    // The generators are the products 1, 2, 4, …
+                    Some(index) => {
+                        let index: usize = index.parse().unwrap();
+                        self.products[1 << (index - 1)].clone()
+                    }
+                    None => factor.parse().unwrap(),
+                };
+                &product * &factor
+            });
+            if negative {
+                &sum - &product
+            } else {
+                &sum + &product
+            }
+        })
     }
 
     /// The degree over ℚ.
@@ -138,6 +178,8 @@ fn numbers_are_read_over_their_products() {
     assert_eq!(&other * &other, field.number("-35 40"));
     assert!(two.sign().is_gt() && other.sign().is_gt());
     assert_eq!(field.number("0 0 0 1"), &two * &other);
+    let sum = field.number("-1/2 -1 0 3/4");
+    assert_eq!(field.sum("-1/2 - r1 + 3/4*r1*r2"), sum);
     assert_eq!((field.degree(), tower.degree()), (4, 4));
 }
 

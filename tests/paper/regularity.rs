@@ -145,12 +145,12 @@ fn the_examples_are_singular_where_the_reference_is() {
     }
 }
 
-/// A curve that bends too much is noticed: with forty times the curvature of Example 2 the factor
-/// takes both signs.
+/// A curve that bends too much is noticed: with twice the curvature of Example 2 the factor takes
+/// both signs.
 #[test]
 fn a_change_of_sign_is_noticed() {
     let own = Curve::of(2);
-    let bent = own.turning.scale(&Real::from(40));
+    let bent = own.turning.scale(&Real::from(2));
     let square = BiPoly::in_v(&(&own.speed * &own.speed));
     let found = coefficients(&(&square + &BiPoly::in_v(&bent)));
     let signs: BTreeSet<i64> = found.iter().flatten().map(sign).collect();

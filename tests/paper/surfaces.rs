@@ -17,9 +17,9 @@ fn named(own: [Option<BiDegree>; 4]) -> Value {
 }
 
 /// The terms that are not zero: coordinate, power of u, power of v.
-type Place = (usize, usize, usize);
+pub(crate) type Place = (usize, usize, usize);
 
-fn terms(coordinates: &[BiPoly<Real>; 4]) -> (Vec<Place>, Vec<Real>) {
+pub(crate) fn terms(coordinates: &[BiPoly<Real>; 4]) -> (Vec<Place>, Vec<Real>) {
     let mut found = (Vec::new(), Vec::new());
     for (index, own) in coordinates.iter().enumerate() {
         for (i, row) in own.rows().iter().enumerate() {
