@@ -7,7 +7,9 @@ use sweepc::curve::{
 use sweepc::number::{Complex, Enclosure, Field, Rational, Real, Tower};
 use sweepc::poly::{UniPoly, bernstein, real_roots};
 
+use crate::nets::net;
 use crate::reference::{Embedding, has_digits, interpolants, items, text};
+use crate::support::compile;
 
 fn complex(pair: &Value, field: &Embedding) -> Complex {
     let [real, imaginary] = field.numbers(pair).try_into().unwrap();
@@ -139,6 +141,33 @@ fn control_points_are_the_reference() {
             }
         }
     });
+}
+
+/// The same curves by way of the language: the control points of a wall over each.
+#[test]
+fn walls_over_the_interpolants_have_their_control_points() {
+    let all = interpolants();
+    let pair = |own: &Value| format!("({}, {})", text(&own[0]), text(&own[1]));
+    for example in items(&all["examples"]) {
+        let names = ["start", "start_derivative", "end", "end_derivative"];
+        let data = names.map(|own| pair(&example["data"][own])).join(", ");
+        for reference in items(&example["branches"]) {
+            let branch = text(&reference["branch"]);
+            let curve = format!("ph_hermite({data}, branch: \"{branch}\")");
+            let compiled = compile(&format!(
+                "sweep c(v) in xy = {curve}\nsurface R = c(v) + u k"
+            ));
+            let surface = compiled.surface();
+            let tower = surface.definition().tower.scratch();
+            let field = Embedding::new(&all, text(&reference["field"]), &tower);
+            let net = net(surface);
+            assert_eq!((net.rows(), net.columns()), (2, 6), "{curve}");
+            for (index, point) in items(&reference["control_points"]).iter().enumerate() {
+                let expected = field.numbers(point);
+                assert_eq!(net.point(0, index)[..2], expected, "{curve} {index}");
+            }
+        }
+    }
 }
 
 /// σ, s and H = κσ², and the total arc length.

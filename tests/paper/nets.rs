@@ -10,7 +10,7 @@ use sweepc::pipeline::Options;
 use crate::reference::{Embedding, Examples, has_digits, items, ratio, surfaces, text};
 use crate::support::Compiled;
 
-fn net(surface: &Checked) -> ControlNet {
+pub(crate) fn net(surface: &Checked) -> ControlNet {
     let [zero, one] = [Real::zero(), Real::one()];
     let coordinates = surface.surface().coordinates().each_ref();
     ControlNet::bezier(coordinates, (&zero, &one), (&zero, &one)).unwrap()
