@@ -5,8 +5,10 @@
 //! the caller.
 
 use std::collections::HashMap;
+use std::rc::Rc;
 
 use crate::check::{Checked, Judgement, Verdict, judge};
+use crate::curve::Curve;
 use crate::diag::{Code, Diagnostic, Diagnostics, Limits, SourceMap};
 use crate::export::{Context, Exported, Exporter};
 use crate::net::ControlNet;
@@ -39,6 +41,8 @@ pub struct Compilation {
     pub unit: Unit,
     /// The names of all surfaces that were asked for; those with errors have nothing behind them.
     pub surfaces: Vec<Option<Checked>>,
+    /// The curves of the root file.
+    pub curves: Vec<Rc<Curve>>,
     /// The expectations that could be decided or shown to be undecided.
     pub judgements: Vec<Judgement>,
     /// The findings, in the order of the text.
@@ -64,6 +68,7 @@ pub fn compile(
     let program = sema::lower(&input, &mut diagnostics);
     let mut compilation = Compilation {
         unit: program.unit,
+        curves: program.curves.clone(),
         diagnostics,
         ..Compilation::default()
     };
@@ -152,7 +157,7 @@ impl Compilation {
         let surfaces: Vec<(&Checked, Vec<(&Judgement, usize)>)> = surfaces
             .filter_map(|(index, surface)| Some((surface.as_ref()?, lined(index))))
             .collect();
-        Report::new(file.to_owned(), self.unit, &surfaces)
+        Report::new(file.to_owned(), self.unit, &surfaces, &self.curves)
     }
 
     /// The surfaces that may be written: checked, and without poles.

@@ -40,7 +40,7 @@ fn every_sweep_compiles_without_a_finding() {
 
 #[test]
 fn the_report_is_that_of_the_example() {
-    let file = "examples/oriented_translation.sweep";
+    let file = "examples/paper/example_2.sweep";
     let output = example_files::run(root(), &["report", file], "");
     let report = String::from_utf8(output.stdout).unwrap();
     assert_eq!(blocks("text")[0], report);

@@ -1,5 +1,5 @@
 use crate::number::Real;
-use crate::poly::{BiPoly, ZeroSet, Zeros, zeros_by_subdivision};
+use crate::poly::{BiPoly, ZeroSet, Zeros, never_vanish_together, zeros_by_subdivision};
 use crate::sweep::Domain;
 
 use super::Verdict;
@@ -10,9 +10,9 @@ const PIECES: usize = 64;
 
 /// Whether R_u × R_v is nowhere zero on the closed domain, and places where it is zero.
 ///
-/// R_u × R_v = a(u) b(v) F D / W³ vanishes where a, b, F or D does, and D nowhere if one of its
-/// components vanishes nowhere. Subdivision decides this for most surfaces; what it leaves open
-/// stays undecided here.
+/// R_u × R_v = a(u) b(v) F D / W³ vanishes where a, b, F or D does, and D where all its
+/// components do. Subdivision decides this for most surfaces; what it leaves open stays undecided
+/// here.
 pub(super) fn regular(
     direction: &NormalDirection,
     domain: &Domain,
@@ -24,8 +24,7 @@ pub(super) fn regular(
     let vector = &direction.vector;
     let lines = BiPoly::product(&vector.in_u, &vector.in_v);
     let mut found = vec![zeros(&lines), zeros(&vector.mixed)];
-    let parts = vector.direction.iter().filter(|own| !own.is_zero());
-    if !parts.into_iter().any(|own| is_signed(own, domain)) {
+    if !direction_is_regular(&vector.direction, domain) {
         found.push(zeros(&direction.length()));
     }
     let mut places = Vec::new();
@@ -44,9 +43,9 @@ pub(super) fn regular(
     (verdict, places)
 }
 
-/// Whether the Bernstein coefficients on the domain show that a polynomial has no zero there.
-fn is_signed(polynomial: &BiPoly<Real>, domain: &Domain) -> bool {
+/// Whether subdivision shows that D vanishes nowhere on the domain, without D·D.
+fn direction_is_regular(direction: &[BiPoly<Real>; 3], domain: &Domain) -> bool {
     let (u, v) = (&domain.u, &domain.v);
-    let zeros = zeros_by_subdivision(polynomial, (u.start(), u.end()), (v.start(), v.end()), 1);
-    matches!(zeros, Some(Zeros::None))
+    let (u, v) = ((u.start(), u.end()), (v.start(), v.end()));
+    never_vanish_together(&direction.each_ref(), u, v, PIECES)
 }

@@ -42,7 +42,7 @@ pub fn bending_energy(preimage: &Preimage, domain: &Interval, bits: u32) -> Opti
     if preimage.has_cusp(domain) {
         return None;
     }
-    let precision = bits + 48;
+    let precision = bits + 20;
     let (turning, norm) = (preimage.turning(), preimage.norm());
     let mut total = Enclosure::of_integer(&0.into(), precision);
     let mut pending = vec![(domain.start().clone(), domain.end().clone())];

@@ -65,7 +65,8 @@ impl Fault {
                 )
             }
             Self::FieldDegree { radicand } => format!(
-                "the parametric speed of `{curve}` needs √({radicand}): the field grows beyond the limit on its degree"
+                "the parametric speed of `{curve}` needs √({}): the field grows beyond the limit on its degree",
+                radicand.brief()
             ),
             Self::SpeedChangesSign { .. } => format!(
                 "the parametric speed of `{curve}` is not rational: a real factor of its hodograph changes sign on the domain"

@@ -27,8 +27,10 @@ impl Double {
     /// - **holds** |q − d| ≤ |q − e| for every double e
     #[must_use]
     pub fn nearest(exact: &Real) -> Option<Self> {
-        // An irrational number is no tie, so its narrow enclosures round to one double.
-        exact.decide(Self::nearest_to_rational)
+        // An irrational number is no tie, so its narrow enclosures round to one double; beyond
+        // the doubles there are two ends.
+        let nearest = |own: &Rational| Self::nearest_to_rational(own).ok_or(Field::sign(own));
+        exact.decide(nearest).ok()
     }
 
     fn nearest_to_rational(exact: &Rational) -> Option<Self> {
@@ -125,7 +127,11 @@ impl Double {
 
 /// The power of ten at or below the absolute value of a number that is not 0: `1e308`.
 pub(super) fn magnitude(exact: &Real) -> String {
-    exact.decide(magnitude_of_rational)
+    let question = |own: &Rational| {
+        let positive = Field::sign(own).is_gt();
+        positive.then(|| magnitude_of_rational(own))
+    };
+    exact.absolute().decide(question).unwrap_or_default()
 }
 
 fn magnitude_of_rational(exact: &Rational) -> String {
@@ -159,4 +165,32 @@ fn shifted(numerator: &Integer, denominator: &Integer, exponent: i64) -> (Intege
 /// The number of bits.
 fn length(value: &Integer) -> i64 {
     i64::try_from(value.bits()).unwrap_or(i64::MAX)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::Tower;
+
+    /// (1 − √2)ⁿ
+    fn power(exponent: i64) -> Real {
+        let root = Tower::new(2).square_root(&Real::from(2));
+        let base = root.map(|root| &Real::one() - &root);
+        let power = base.ok().and_then(|base| base.power(exponent));
+        power.unwrap_or_else(Real::zero)
+    }
+
+    #[test]
+    fn conjugates_that_nearly_cancel_have_doubles() {
+        // 1000 log₁₀(1 + √2) = 382.7757…; the coefficients of the power have as many digits
+        assert_eq!(magnitude(&power(100)), "1e-39");
+        assert_eq!(magnitude(&power(-1_001)), "1e383");
+        assert_eq!(magnitude(&power(1_001)), "1e-384");
+        let double = |own: &Real| Double::nearest(own).map(Double::json);
+        // 10⁷⁰⁰ cancels down to a number of the size 1
+        let near = &power(2_000) + &power(0);
+        assert_eq!(double(&near).as_deref(), Some("1.0"));
+        assert_eq!(double(&power(2_001)).as_deref(), Some("0.0"));
+        assert_eq!(double(&power(-2_001)), None);
+    }
 }

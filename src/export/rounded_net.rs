@@ -188,7 +188,7 @@ fn distance(exact: &Real, double: &Double) -> Rational {
 
 /// Binary digits behind the point in a bound for an irrational number: more than doubles of
 /// coordinates have.
-const BOUND_BITS: u32 = 160;
+const BOUND_BITS: u32 = 96;
 
 /// Rational bounds of a number; itself twice if it is rational.
 fn range(exact: &Real) -> [Rational; 2] {

@@ -9,6 +9,9 @@ pub struct Basis {
     generators: Vec<Generator>,
 }
 
+/// Characters of a number or a field that is written out.
+const READABLE: usize = 60;
+
 impl Basis {
     /// The generators that occur in the numbers, and in the radicands of those.
     #[must_use]
@@ -75,7 +78,7 @@ impl Basis {
     fn name(&self, generator: &Generator) -> String {
         match self.generators.iter().position(|own| own == generator) {
             Some(index) => format!("r{}", index + 1),
-            None => radical(generator),
+            None => generator.to_string(),
         }
     }
 
@@ -85,6 +88,39 @@ impl Basis {
         sum(number.numerator(), number.denominator(), &|own| {
             self.name(own)
         })
+    }
+
+    /// The number with its radicals written out if that is short, else with the names of the
+    /// generators.
+    #[must_use]
+    pub fn readable(&self, number: &Surd) -> String {
+        let radicals = number.to_string();
+        if radicals.chars().count() <= READABLE {
+            radicals
+        } else {
+            self.spell(number)
+        }
+    }
+
+    /// `Q(√2)(√(110 + 100*√2)), degree 4` for the field of some of the generators; with their names
+    /// where that would be long. None for the rational numbers.
+    #[must_use]
+    pub fn describe(&self, part: &Self) -> Option<String> {
+        if part.is_rational() {
+            return None;
+        }
+        let generators = part.generators.iter();
+        let adjoined: String = generators.map(|own| format!("({own})")).collect();
+        let degree = part.degree();
+        if adjoined.chars().count() <= READABLE {
+            return Some(format!("Q{adjoined}, degree {degree}"));
+        }
+        let names = part.generators.iter().map(|own| {
+            let square = Surd::integral(own.square().clone());
+            format!("{} = √({})", self.name(own), self.spell(&square))
+        });
+        let names: Vec<String> = names.collect();
+        Some(format!("degree {degree}, {}", names.join(", ")))
     }
 
     /// The number that a text spells; none if it is not of that form.
@@ -136,15 +172,7 @@ impl Basis {
 
 /// The number n/d with every radical written out: `3/2 + 1/4*√2`.
 pub(super) fn radicals(numerator: &SurdInteger, denominator: &Integer) -> String {
-    sum(numerator, denominator, &radical)
-}
-
-/// `√2`, `√(-35 + 40*√2)`
-fn radical(generator: &Generator) -> String {
-    match generator.square() {
-        SurdInteger::Rational(own) => format!("√{own}"),
-        own @ SurdInteger::Irrational(_) => format!("√({own})"),
-    }
+    sum(numerator, denominator, &Generator::to_string)
 }
 
 /// The components of n/d over the products of generators, by the generators' names.

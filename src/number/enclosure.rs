@@ -54,8 +54,7 @@ impl Enclosure {
     /// The ends, as rational numbers.
     #[must_use]
     pub fn ends(&self) -> [Rational; 2] {
-        let unit = Integer::from(1) << self.precision;
-        [&self.lower, &self.upper].map(|end| Rational::new(end.clone(), unit.clone()))
+        [&self.lower, &self.upper].map(|end| Rational::dyadic(end, self.precision))
     }
 
     /// The sign, if it is the same everywhere in the interval.
@@ -186,12 +185,40 @@ impl Enclosure {
         quarter.times(&four).coarser(precision)
     }
 
-    /// arctan a
+    /// arctan a, which grows with a: from the lower end's to the upper end's.
+    #[must_use]
+    pub fn arctangent(&self) -> Self {
+        let [lower, upper] = [&self.lower, &self.upper].map(|end| {
+            let size = Self::new(end.abs(), end.abs(), self.precision).arctangent_of_positive();
+            if Ring::sign(end).is_lt() {
+                size.negated()
+            } else {
+                size
+            }
+        });
+        Self::new(lower.lower, upper.upper, self.precision)
+    }
+
+    /// arctan a for a number a ≥ 0: π/2 − arctan 1/a if it is greater than 1.
+    fn arctangent_of_positive(&self) -> Self {
+        let inner = self.precision + 8;
+        let own = self.finer(inner);
+        if own.lower > Integer::from(1) << inner
+            && let Some(inverse) = own.inverse()
+        {
+            let right = Self::pi(inner).divided(&Integer::from(2));
+            return right
+                .minus(&inverse.arctangent_of_small())
+                .coarser(self.precision);
+        }
+        own.arctangent_of_small().coarser(self.precision)
+    }
+
+    /// arctan a for a narrow interval in [0, 1].
     ///
     /// arctan a = 2 arctan(a / (1 + √(1 + a²))) until the argument is small, then the series
     /// Σ (−1)ᵏ a^(2k+1)/(2k+1), which alternates.
-    #[must_use]
-    pub fn arctangent(&self) -> Self {
+    fn arctangent_of_small(&self) -> Self {
         const HALVINGS: u32 = 4;
         let inner = self.precision + 24;
         let one = Self::of_integer(&1.into(), inner);
@@ -314,6 +341,19 @@ mod tests {
         let two = "1.41421356237309504880168872420969807856967187537694807317667973799073247846";
         assert!(holds(&root, two));
         assert_eq!(root.decimal(20).as_deref(), Some("1.41421356237309504880"));
+    }
+
+    #[test]
+    fn wide_intervals_and_large_numbers_have_arctangents() {
+        // arctan 0 = 0, and arctan 2⁹⁰⁰ is less than π/2 by no more than 2⁻⁹⁰⁰
+        let large: Integer = Integer::from(1) << 964_u32;
+        let wide = Enclosure::new(Integer::from(0), large.clone(), 64).arctangent();
+        let right = Enclosure::pi(64).divided(&2.into());
+        assert!(wide.lower <= Integer::from(0) && wide.lower >= Integer::from(-2));
+        let gap = wide.upper - &right.lower;
+        assert!(gap >= Integer::from(0) && gap < Integer::from(8));
+        let odd = Enclosure::new(-&large, large, 64).arctangent();
+        assert_eq!(odd.negated(), odd);
     }
 
     #[test]

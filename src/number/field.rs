@@ -1,7 +1,7 @@
 use std::cmp::Ordering;
 use std::fmt::{Debug, Display};
 
-use super::{Integer, Place};
+use super::{Basis, Integer, Place};
 
 /// The numerators of a [`Field`]: an integral domain in which every element of the field stands
 /// over a rational integer.
@@ -52,6 +52,11 @@ pub trait Ring: Clone + PartialEq + Eq + Debug + Send + Sync + 'static {
     fn place(&self) -> Option<Place>;
     /// The image at a place, which is that of an element of no smaller height.
     fn image(&self, place: &Place) -> u64;
+    /// The generators that occur in some elements, and in the radicands of those.
+    fn basis<'a>(elements: impl IntoIterator<Item = &'a Self>) -> Basis;
+    /// The element with these components on the products of the generators of a basis, product
+    /// number j of those whose bit is set in j.
+    fn from_components(basis: &Basis, components: &[Integer]) -> Self;
     /// The size of the largest rational integer in it.
     fn bits(&self) -> u64;
     /// The element as a rational integer; none if it is not one.

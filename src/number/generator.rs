@@ -1,11 +1,12 @@
 use std::fmt;
-use std::sync::{Arc, Mutex, OnceLock};
+use std::sync::{Arc, Mutex};
 
 use super::enclosure::refine;
 use super::{Enclosure, Integer, Modulus, Place, Ring, SurdInteger};
 
-/// How many primes are tried for a [`Place`].
-const PRIMES: usize = 400;
+/// How many primes that have a place one level down are tried for the next [`Place`]. About half
+/// of them have one.
+const PRIMES: usize = 64;
 
 /// A generator √a of a tower of real fields: the positive root of a radicand a that lies in the
 /// levels below, is positive, and is no square there.
@@ -20,7 +21,17 @@ struct Inner {
     level: usize,
     /// √a at the greatest precision that was needed so far.
     enclosure: Mutex<Option<Enclosure>>,
-    place: OnceLock<Option<Place>>,
+    places: Mutex<Places>,
+}
+
+/// The places that were found so far, at most one over each prime.
+#[derive(Default)]
+struct Places {
+    found: Vec<Place>,
+    /// How many of the primes were tried.
+    tried: usize,
+    /// The primes in turn, for the first level only; those above take the primes from below.
+    primes: Option<Box<dyn Iterator<Item = Modulus> + Send>>,
 }
 
 impl Generator {
@@ -34,7 +45,7 @@ impl Generator {
             below,
             level,
             enclosure: Mutex::new(None),
-            place: OnceLock::new(),
+            places: Mutex::default(),
         }))
     }
 
@@ -96,22 +107,40 @@ impl Generator {
     /// A homomorphism of the numerators up to this level to a prime field; none if none was found
     /// among the primes that were tried.
     #[must_use]
-    pub fn place(&self) -> Option<&Place> {
-        self.0.place.get_or_init(|| self.find_place()).as_ref()
+    pub fn place(&self) -> Option<Place> {
+        self.place_at(0)
     }
 
-    /// Primes q ≡ 3 modulo 4 are tried, as square roots modulo those are powers. Since the field
-    /// is real, a complex conjugation fixes it and moves i: such primes with a place exist, and
-    /// are not rare. (Chebotarev's density theorem)
-    fn find_place(&self) -> Option<Place> {
-        let chain = self.chain();
-        let first = std::iter::once(Modulus::mersenne());
-        let primes = first.chain(Modulus::descending());
-        primes
-            .filter(|modulus| modulus.prime() % 4 == 3)
-            .take(PRIMES)
-            .find_map(|modulus| roots_modulo(&chain, modulus, &mut Vec::new()))
+    /// The places in turn, each over a prime of its own.
+    pub(super) fn places(&self) -> impl Iterator<Item = Place> + '_ {
+        (0..).map_while(|index| self.place_at(index))
     }
+
+    /// Primes with a place are not rare: each has one on average. (Chebotarev's density theorem)
+    /// A place lies over one of the level below.
+    fn place_at(&self, index: usize) -> Option<Place> {
+        let mut places = self.0.places.lock().ok()?;
+        let chain = self.chain();
+        let mut failures = 0;
+        while places.found.len() <= index && failures < PRIMES {
+            let modulus = match self.below() {
+                Some(below) => *below.place_at(places.tried)?.modulus(),
+                None => places.primes.get_or_insert_with(primes).next()?,
+            };
+            places.tried += 1;
+            match roots_modulo(&chain, modulus, &mut Vec::new()) {
+                Some(place) => places.found.push(place),
+                None => failures += 1,
+            }
+        }
+        places.found.get(index).cloned()
+    }
+}
+
+/// The primes q ≡ 3 modulo 4 in the order in which they are tried.
+fn primes() -> Box<dyn Iterator<Item = Modulus> + Send> {
+    let first = std::iter::once(Modulus::mersenne());
+    Box::new(first.chain(Modulus::descending()))
 }
 
 /// Completes the images of the first generators to those of all; either sign of a root may lead
@@ -147,8 +176,18 @@ impl PartialEq for Generator {
 
 impl Eq for Generator {}
 
+/// `√2`, `√(-35 + 40*√2)`
+impl fmt::Display for Generator {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.0.square {
+            SurdInteger::Rational(own) => write!(formatter, "√{own}"),
+            own @ SurdInteger::Irrational(_) => write!(formatter, "√({own})"),
+        }
+    }
+}
+
 impl fmt::Debug for Generator {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(formatter, "√({})", self.0.square)
+        fmt::Display::fmt(self, formatter)
     }
 }

@@ -4,7 +4,7 @@ use std::str::FromStr;
 
 use num_bigint::BigInt;
 
-use super::{Place, Ring};
+use super::{Basis, Place, Ring};
 
 /// A rational integer of any size.
 ///
@@ -155,6 +155,21 @@ macro_rules! from_primitive {
 
 from_primitive!(i32 i64 i128 u8 u32 u64 u128 usize);
 
+impl From<BigInt> for Integer {
+    fn from(value: BigInt) -> Self {
+        Self::of_long(value)
+    }
+}
+
+impl From<&Integer> for BigInt {
+    fn from(value: &Integer) -> Self {
+        match value.form() {
+            Form::Machine(own) => (*own).into(),
+            Form::Long(own) => own.clone(),
+        }
+    }
+}
+
 macro_rules! into_primitive {
     ($($type:ty)*) => {$(
         /// Fails beyond the range of the type.
@@ -294,6 +309,14 @@ impl Ring for Integer {
 
     fn image(&self, place: &Place) -> u64 {
         place.modulus().embed_integer(self)
+    }
+
+    fn basis<'a>(_: impl IntoIterator<Item = &'a Self>) -> Basis {
+        Basis::default()
+    }
+
+    fn from_components(_: &Basis, components: &[Integer]) -> Self {
+        components.first().cloned().unwrap_or_default()
     }
 
     fn bits(&self) -> u64 {

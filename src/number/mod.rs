@@ -6,6 +6,7 @@
 
 mod basis;
 mod complex;
+mod conjugates;
 mod divisor;
 mod enclosure;
 mod field;
@@ -23,6 +24,7 @@ mod unit;
 pub use basis::Basis;
 use basis::radicals;
 pub use complex::Complex;
+pub use conjugates::Conjugates;
 pub use divisor::{gcd, lcm};
 pub use enclosure::Enclosure;
 pub use field::{Field, Ring};

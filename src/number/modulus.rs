@@ -177,38 +177,67 @@ impl Modulus {
         self.power(value, self.prime - 2)
     }
 
-    /// A square root of an image, where q ≡ 3 modulo 4; none if it is no square.
+    /// A square root of an image; none if it is no square.
     ///
-    /// For a square a = b² the power a^((q+1)/4) is b or −b, as b^((q−1)/2) = ±1.
+    /// With q − 1 = 2ˢ o, o odd, the power r = a^((o+1)/2) has r² = a e with e of order 2ᵗ, t < s
+    /// for a square; powers of a non-residue's oth power bring e to 1. (Tonelli and Shanks)
     #[must_use]
     pub fn square_root(&self, value: u64) -> Option<u64> {
-        let root = self.power(value, (self.prime + 1) / 4);
-        (self.times(root, root) == value).then_some(root)
+        let twos = (self.prime - 1).trailing_zeros();
+        let odd = (self.prime - 1) >> twos;
+        let mut root = self.power(value, odd.div_ceil(2));
+        if twos == 1 {
+            return (self.times(root, root) == value).then_some(root);
+        }
+        if value == 0 || self.power(value, (self.prime - 1) / 2) != self.one {
+            return (value == 0).then_some(0);
+        }
+        let minus_one = self.prime - self.one;
+        let mut bases = (2..self.prime).map(|base| self.embed(base));
+        let base = bases.find(|base| self.power(*base, (self.prime - 1) / 2) == minus_one)?;
+        let mut step = self.power(base, odd);
+        let mut error = self.power(value, odd);
+        let mut order = twos;
+        while error != self.one {
+            let mut exponent = 0;
+            let mut square = error;
+            while square != self.one {
+                square = self.times(square, square);
+                exponent += 1;
+            }
+            let factor = (0..order - exponent - 1).fold(step, |own, _| self.times(own, own));
+            step = self.times(factor, factor);
+            error = self.times(error, step);
+            root = self.times(root, factor);
+            order = exponent;
+        }
+        Some(root)
     }
 
     /// Whether q is a prime: strong probable primality to the first twelve prime bases, which
     /// no composite number below 3.3·10²⁴ passes.
     fn is_prime(&self) -> bool {
+        const BASES: [u64; 12] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
         let twos = (self.prime - 1).trailing_zeros();
         let minus_one = self.prime - self.one;
-        [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37]
-            .into_iter()
-            .all(|base| {
-                if self.prime.is_multiple_of(base) {
-                    return self.prime == base;
-                }
-                let mut power = self.power(self.embed(base), (self.prime - 1) >> twos);
-                if power == self.one {
+        // Divisions are cheaper than powers.
+        let divisor = BASES.iter().find(|own| self.prime.is_multiple_of(**own));
+        if let Some(divisor) = divisor {
+            return self.prime == *divisor;
+        }
+        BASES.into_iter().all(|base| {
+            let mut power = self.power(self.embed(base), (self.prime - 1) >> twos);
+            if power == self.one {
+                return true;
+            }
+            for _ in 1..twos {
+                if power == minus_one {
                     return true;
                 }
-                for _ in 1..twos {
-                    if power == minus_one {
-                        return true;
-                    }
-                    power = self.times(power, power);
-                }
-                power == minus_one
-            })
+                power = self.times(power, power);
+            }
+            power == minus_one
+        })
     }
 }
 

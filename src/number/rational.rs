@@ -33,6 +33,17 @@ impl Rational {
         Self(Ratio::new_raw(numerator, denominator))
     }
 
+    /// n / 2ᵏ
+    #[must_use]
+    pub fn dyadic(numerator: &Integer, exponent: u32) -> Self {
+        let Some(twos) = numerator.trailing_zeros() else {
+            return Field::zero();
+        };
+        let twos = u32::try_from(twos).map_or(exponent, |twos| twos.min(exponent));
+        let denominator = Integer::from(1) << (exponent - twos);
+        Self::in_lowest_terms(numerator >> twos, denominator)
+    }
+
     /// The numerator, with the sign.
     #[must_use]
     pub fn numerator(&self) -> &Integer {

@@ -133,7 +133,8 @@ impl Surd {
 
     /// The answer that both ends of a narrow enclosure of an irrational number agree on.
     ///
-    /// The question must have the same answer everywhere near the number.
+    /// The question must have the same answer everywhere near the number, and an answer that it
+    /// has at two numbers at all numbers between them: the ends need not have the number's sign.
     #[must_use]
     pub fn decide<T: PartialEq>(&self, question: impl Fn(&Rational) -> T) -> T {
         if let Some(rational) = self.as_rational() {
@@ -151,6 +152,18 @@ impl Surd {
     #[must_use]
     pub fn decimal(&self, digits: u32) -> String {
         self.decide(|own| own.decimal(digits))
+    }
+
+    /// The number for a message: as it is, or, where that is long, its first digits.
+    #[must_use]
+    pub fn brief(&self) -> String {
+        const LONGEST: usize = 40;
+        let exact = self.to_string();
+        if exact.chars().count() <= LONGEST {
+            exact
+        } else {
+            format!("≈ {}", self.decimal(6))
+        }
     }
 
     /// The size of the largest rational integer in it.

@@ -2,7 +2,7 @@ use std::cmp::Ordering;
 use std::fmt;
 
 use super::enclosure::refine;
-use super::{Enclosure, Generator, Integer, Place, Ring, gcd};
+use super::{Basis, Enclosure, Generator, Integer, Place, Ring, gcd};
 
 /// A numerator of a tower of real fields: an element of ℤ[√a₁, √a₂, …] with integral radicands.
 ///
@@ -287,7 +287,7 @@ impl Ring for SurdInteger {
     fn place(&self) -> Option<Place> {
         match self.level() {
             None => Some(Place::rational()),
-            Some(generator) => generator.place().cloned(),
+            Some(generator) => generator.place(),
         }
     }
 
@@ -301,6 +301,24 @@ impl Ring for SurdInteger {
                 modulus.plus(own.constant.image(place), slope)
             }
         }
+    }
+
+    fn basis<'a>(elements: impl IntoIterator<Item = &'a Self>) -> Basis {
+        Basis::of(elements)
+    }
+
+    fn from_components(basis: &Basis, components: &[Integer]) -> Self {
+        let mut parts: Vec<Self> = components.iter().cloned().map(Self::Rational).collect();
+        for generator in basis.generators() {
+            let pairs = parts.chunks(2);
+            parts = pairs
+                .map(|pair| match pair {
+                    [constant, slope] => Self::binomial(constant.clone(), slope.clone(), generator),
+                    _ => pair.first().cloned().unwrap_or_else(Self::zero),
+                })
+                .collect();
+        }
+        parts.into_iter().next().unwrap_or_else(Self::zero)
     }
 
     fn bits(&self) -> u64 {

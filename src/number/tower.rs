@@ -123,9 +123,11 @@ impl Tower {
         if self.degree().saturating_mul(2) > self.limit {
             return Err(RootFault::DegreeLimit { limit: self.limit });
         }
-        // √(n/d) = √(n d)/d, and square factors come out of the root.
+        // √(n/d) = √(n d)/d, and square factors come out of the root: those of n and of d, which
+        // are coprime, each by itself.
         let numerator = radicand.numerator().scaled(radicand.denominator());
-        let outer = square_factor(&numerator.content());
+        let content = radicand.numerator().content();
+        let outer = square_factor(&content) * square_factor(radicand.denominator());
         let square = numerator.divided(&(&outer * &outer));
         let generator = Generator::new(square, self.top());
         if let Ok(mut top) = self.top.write() {
@@ -201,12 +203,15 @@ pub(super) fn root_within(radicand: &Surd, top: Option<&Generator>) -> Option<Su
     }
 }
 
-/// Whether the image at a place shows that a number is no square in the field up to `top`.
+/// Whether an image at a place shows that a number is no square in the field up to `top`.
+///
+/// An image does so for half of the numbers that are none. The search for a root that does not
+/// exist is the longer the higher the tower is, so there the number is given more images.
 fn refuted(radicand: &Surd, top: &Generator) -> bool {
-    top.place().is_some_and(|place| {
+    top.places().take(top.level()).any(|place| {
         let modulus = place.modulus();
         let denominator = modulus.embed_integer(radicand.denominator());
-        let image = modulus.times(radicand.numerator().image(place), denominator);
+        let image = modulus.times(radicand.numerator().image(&place), denominator);
         modulus.square_root(image).is_none()
     })
 }
@@ -278,6 +283,18 @@ mod tests {
         let honest = &(&rational("40") * &two) - &rational("35");
         let found = root(&tower, &honest);
         assert_eq!((tower.degree(), &found * &found), (8, honest));
+    }
+
+    #[test]
+    fn large_squares_come_out_of_numerator_and_denominator() {
+        // 1009/10007² and 10007²/1009, whose large primes no trial division meets
+        for (text, expected) in [
+            ("1009/100140049", "1/10007*√1009"),
+            ("100140049/1009", "10007/1009*√1009"),
+        ] {
+            let found = root(&Tower::new(64), &rational(text));
+            assert_eq!(found.to_string(), expected);
+        }
     }
 
     #[test]

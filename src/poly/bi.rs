@@ -91,42 +91,13 @@ impl<F: Field> BiPoly<F> {
     /// The coefficients of 1, u, u², … as polynomials in v; the last is not 0.
     #[must_use]
     pub fn rows(&self) -> Vec<UniPoly<F>> {
-        let denominators = self.terms.iter().map(|(_, in_v)| in_v.denominator());
-        let common = denominators.fold(Integer::one(), |common, own| lcm(&common, own));
-        let length = |own: &UniPoly<F>| own.numerators().len();
-        let height = self.terms.iter().map(|(in_u, _)| length(in_u)).max();
-        let width = self.terms.iter().map(|(_, in_v)| length(in_v)).max();
-        let mut rows = vec![vec![F::Ring::zero(); width.unwrap_or(0)]; height.unwrap_or(0)];
-        for (in_u, in_v) in &self.terms {
-            // Primitive factors in u stand over 1.
-            let factor = &common / in_v.denominator();
-            let in_v: Vec<_> = in_v
-                .numerators()
-                .iter()
-                .map(|own| own.scaled(&factor))
-                .collect();
-            for (row, left) in rows.iter_mut().zip(in_u.numerators()) {
-                if !left.is_zero() {
-                    for (sum, right) in row.iter_mut().zip(&in_v) {
-                        sum.add_product(left, right);
-                    }
-                }
-            }
-        }
-        let rows = rows
-            .into_iter()
-            .map(|row| UniPoly::from_numerators(row, common.clone()));
-        let mut rows: Vec<_> = rows.collect();
-        while rows.last().is_some_and(UniPoly::is_zero) {
-            rows.pop();
-        }
-        rows
+        dense(self.terms.iter().map(|(in_u, in_v)| (in_u, in_v)))
     }
 
     /// The coefficients of 1, v, v², … as polynomials in u; the last is not 0.
     #[must_use]
     pub fn columns(&self) -> Vec<UniPoly<F>> {
-        self.transpose().rows()
+        dense(self.terms.iter().map(|(in_u, in_v)| (in_v, in_u)))
     }
 
     /// Whether it is 0.
@@ -285,7 +256,21 @@ impl<F: Field> BiPoly<F> {
     /// p / d(v) if d divides.
     #[must_use]
     pub fn exact_div_v(&self, divisor: &UniPoly<F>) -> Option<Self> {
-        Some(self.transpose().exact_div_u(divisor)?.transpose())
+        if divisor.is_constant() {
+            return Some(self.scale(&divisor.leading_coefficient().inverse()?));
+        }
+        let termwise = self.terms.iter().map(|(_, in_v)| in_v.exact_div(divisor));
+        if let Some(quotients) = termwise.collect::<Option<Vec<_>>>() {
+            let mut polynomial = Self::zero();
+            for ((in_u, _), in_v) in self.terms.iter().zip(quotients) {
+                polynomial.add_primitive_term(in_u.clone(), in_v);
+            }
+            return Some(polynomial);
+        }
+        let rows = self.rows();
+        let rows: Option<Vec<_>> = rows.iter().map(|row| row.exact_div(divisor)).collect();
+        // Proportional rows become one term.
+        Some(Self::from_rows(&rows?).transpose().transpose())
     }
 
     /// Adds f(u) g(v), merging it with a term that shares a factor.
@@ -361,6 +346,40 @@ impl<F: Field> BiPoly<F> {
         }
         polynomial
     }
+}
+
+/// The coefficients of 1, x, x², … of Σ f(x) g(y), as polynomials in y; the last is not 0.
+fn dense<'a, F: Field>(
+    terms: impl Iterator<Item = (&'a UniPoly<F>, &'a UniPoly<F>)> + Clone,
+) -> Vec<UniPoly<F>> {
+    let denominator =
+        |(outer, inner): (&UniPoly<F>, &UniPoly<F>)| outer.denominator() * inner.denominator();
+    let denominators = terms.clone().map(denominator);
+    let common = denominators.fold(Integer::one(), |common, own| lcm(&common, &own));
+    let length = |own: &UniPoly<F>| own.numerators().len();
+    let height = terms.clone().map(|(outer, _)| length(outer)).max();
+    let width = terms.clone().map(|(_, inner)| length(inner)).max();
+    let mut rows = vec![vec![F::Ring::zero(); width.unwrap_or(0)]; height.unwrap_or(0)];
+    for (outer, inner) in terms {
+        let factor = &common / denominator((outer, inner));
+        let inner = inner.numerators().iter();
+        let inner: Vec<_> = inner.map(|own| own.scaled(&factor)).collect();
+        for (row, left) in rows.iter_mut().zip(outer.numerators()) {
+            if !left.is_zero() {
+                for (sum, right) in row.iter_mut().zip(&inner) {
+                    sum.add_product(left, right);
+                }
+            }
+        }
+    }
+    let rows = rows.into_iter();
+    let mut rows: Vec<_> = rows
+        .map(|row| UniPoly::from_numerators(row, common.clone()))
+        .collect();
+    while rows.last().is_some_and(UniPoly::is_zero) {
+        rows.pop();
+    }
+    rows
 }
 
 /// By descending powers of u: `(v^2 + 1) u^2 + v`.

@@ -1,3 +1,4 @@
+use super::conjugate_gcd;
 use super::image::{Image, place_of};
 use super::modular;
 use super::subresultant::Subresultant;
@@ -8,7 +9,7 @@ use crate::number::{Field, Ring};
 ///
 /// - **holds** it divides both, and every common divisor divides it
 /// - **cost** one image modulo a prime if the polynomials are coprime; images modulo many primes
-///   over ℚ, a subresultant sequence over other fields
+///   over ℚ and fields of few square roots, a subresultant sequence over others
 #[must_use]
 pub fn gcd<F: Field>(left: &UniPoly<F>, right: &UniPoly<F>) -> UniPoly<F> {
     if left.is_zero() {
@@ -112,7 +113,12 @@ fn gcd_exact<F: Field>(left: &UniPoly<F>, right: &UniPoly<F>, bound: Option<usiz
         return low.primitive();
     }
     let (high, low) = (high.primitive(), low.primitive());
-    if let Some(common) = modular::gcd(&high, &low) {
+    let road = if high.is_rational() && low.is_rational() {
+        modular::gcd(&high, &low)
+    } else {
+        conjugate_gcd::gcd(&high, &low)
+    };
+    if let Some(common) = road {
         return common;
     }
     let last = Subresultant::of(high.numerators(), low.numerators());

@@ -148,6 +148,11 @@ impl Image {
         true
     }
 
+    /// The coefficients, ascending.
+    pub(super) fn into_coefficients(self) -> Vec<u64> {
+        self.coefficients
+    }
+
     /// The degree; none for 0.
     pub(super) fn degree(&self) -> Option<usize> {
         self.coefficients.len().checked_sub(1)

@@ -60,15 +60,15 @@ fn images(numerators: &[&Integer], modulus: &Modulus) -> Vec<u64> {
 
 /// Integers known modulo a product of primes, each the one of least absolute value.
 #[derive(Default)]
-struct Lifted {
-    coefficients: Vec<Integer>,
-    product: Integer,
+pub(super) struct Lifted {
+    pub(super) coefficients: Vec<Integer>,
+    pub(super) product: Integer,
 }
 
 impl Lifted {
     /// Takes in one more image; true if no coefficient changed. An image of lower degree starts
     /// afresh, one of higher degree is dropped.
-    fn join(&mut self, image: &[u64], modulus: &Modulus) -> bool {
+    pub(super) fn join(&mut self, image: &[u64], modulus: &Modulus) -> bool {
         if self.coefficients.is_empty() || image.len() < self.coefficients.len() {
             let lifted = image.iter().map(|own| Integer::from(modulus.lift(*own)));
             self.coefficients = lifted.collect();

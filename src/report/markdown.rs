@@ -1,6 +1,6 @@
 use super::Report;
 use super::report::{Decision, SurfaceReport};
-use super::text::{degree_rows, facts};
+use super::text::{curve_facts, degree_rows, facts};
 
 /// The report as Markdown: a section with two tables for each surface.
 #[must_use]
@@ -8,6 +8,12 @@ pub fn render_markdown(report: &Report) -> String {
     let mut text = format!("# {}\n", escape(&report.file));
     for own in &report.surfaces {
         text.push_str(&surface(own, report.unit.symbol()));
+    }
+    for own in &report.curves {
+        text.push_str(&format!("\n## {}\n\n| | |\n|---|---|\n", escape(&own.name)));
+        for (label, value) in curve_facts(own) {
+            text.push_str(&format!("| {label} | {} |\n", escape(&value)));
+        }
     }
     text
 }

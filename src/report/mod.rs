@@ -1,10 +1,12 @@
 //! The degree report: what the paper should have said.
 
+mod curve;
 mod json;
 mod markdown;
 mod report;
 mod text;
 
+pub use curve::CurveReport;
 pub use json::render_json;
 pub use markdown::render_markdown;
 pub use report::{Report, SurfaceReport};

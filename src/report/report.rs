@@ -1,9 +1,13 @@
+use std::rc::Rc;
+
 use serde::Serialize;
 
 use crate::check::{AffineDegree, Checked, Judgement, Verdict};
-use crate::curve::Interval;
+use crate::curve::{Curve, Interval};
 use crate::number::{Basis, Field, Real, Unit};
 use crate::poly::{BiDegree, BiPoly, Coprimality, UniPoly, ZeroKind, ZeroSet};
+
+use super::curve::{CurveReport, arc_length};
 
 /// The report of a file, as `report --format json` prints it.
 #[derive(Debug, Clone, Serialize)]
@@ -14,23 +18,30 @@ pub struct Report {
     pub(super) field: Vec<Generator>,
     /// One report for each surface.
     pub surfaces: Vec<SurfaceReport>,
+    /// One report for each Pythagorean-hodograph curve whose speed the surfaces use.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub curves: Vec<CurveReport>,
     /// The unit of length.
     #[serde(skip)]
     pub unit: Unit,
 }
 
 impl Report {
-    /// The report of a file's surfaces, each with its expectations and their lines.
+    /// The report of a file's surfaces, each with its expectations and their lines, and of its
+    /// curves.
     #[must_use]
     pub fn new(
         file: String,
         unit: Unit,
         surfaces: &[(&Checked, Vec<(&Judgement, usize)>)],
+        curves: &[Rc<Curve>],
     ) -> Self {
-        let basis = surfaces
-            .iter()
-            .map(|(surface, _)| basis(surface))
-            .fold(Basis::default(), |all, own| all.union(&own));
+        let curves = || curves.iter().filter(|own| own.is_measured());
+        let lengths: Vec<Real> = curves().filter_map(|own| arc_length(own)).collect();
+        let basis = surfaces.iter().map(|(surface, _)| basis(surface)).fold(
+            Basis::of(lengths.iter().map(Real::numerator)),
+            |all, own| all.union(&own),
+        );
         let definitions = basis.definitions().into_iter();
         Self {
             format: "sweepc-report/1",
@@ -42,6 +53,7 @@ impl Report {
                 .iter()
                 .map(|(surface, judgements)| SurfaceReport::of(surface, judgements, &basis))
                 .collect(),
+            curves: curves().map(|own| CurveReport::of(own, &basis)).collect(),
             unit,
         }
     }
@@ -97,6 +109,7 @@ pub struct SurfaceReport {
 
 #[derive(Debug, Clone)]
 pub(super) struct Remarks {
+    pub(super) field: Option<String>,
     pub(super) common_factor: String,
     pub(super) coprimality: String,
     pub(super) regular: Verdict,
@@ -243,14 +256,15 @@ impl SurfaceReport {
                 .iter()
                 .map(|(own, line)| expectation(own, *line))
                 .collect(),
-            remarks: remarks(surface),
+            remarks: remarks(surface, basis),
         }
     }
 }
 
-fn remarks(surface: &Checked) -> Remarks {
+fn remarks(surface: &Checked, names: &Basis) -> Remarks {
     let expansion = surface.expansion();
     Remarks {
+        field: names.describe(&basis(surface)),
         common_factor: expansion.common_factor.to_string(),
         coprimality: match expansion.coprimality {
             Some(Coprimality::Modular(prime)) => format!("coprime, proved modulo {}", prime.name()),

@@ -1,5 +1,5 @@
-use super::Report;
 use super::report::{Decision, SurfaceReport};
+use super::{CurveReport, Report};
 use crate::number::Unit;
 
 /// The report for a terminal, one screen for each surface.
@@ -9,7 +9,8 @@ pub fn render_text(report: &Report) -> String {
         .surfaces
         .iter()
         .map(|own| surface(own, &report.file, report.unit));
-    surfaces.collect::<Vec<_>>().join("\n")
+    let curves = report.curves.iter().map(curve);
+    surfaces.chain(curves).collect::<Vec<_>>().join("\n")
 }
 
 fn surface(surface: &SurfaceReport, file: &str, unit: Unit) -> String {
@@ -122,7 +123,8 @@ pub(super) fn facts(surface: &SurfaceReport) -> Vec<(&'static str, String)> {
     );
     let regular = decision(surface.regular, remarks.regular.because());
     let offset = decision(surface.rational_offset, remarks.rational_offset.because());
-    vec![
+    let field = remarks.field.iter().map(|own| ("field", own.clone()));
+    let facts = [
         ("common factor", factor),
         ("lowest terms", lowest_terms(surface)),
         (
@@ -133,7 +135,35 @@ pub(super) fn facts(surface: &SurfaceReport) -> Vec<(&'static str, String)> {
         ("poles", poles),
         ("regular", regular),
         ("rational offset", offset),
-    ]
+    ];
+    field.chain(facts).collect()
+}
+
+/// What there is to say of a curve, each with its label.
+pub(super) fn curve_facts(curve: &CurveReport) -> Vec<(&'static str, String)> {
+    let mut facts = Vec::new();
+    let length = match &curve.arc_length {
+        None => "not a rational function".to_owned(),
+        Some(length) if length.readable == length.decimal => length.decimal.clone(),
+        Some(length) => format!("{} ≈ {}", length.readable, length.decimal),
+    };
+    facts.push(("arc length", length));
+    if let Some(own) = &curve.ph_hermite {
+        let energy = own.bending_energy.as_deref().unwrap_or("infinite");
+        facts.push(("branch", format!("{} ({})", own.branch, own.choice)));
+        facts.push(("rotation index", own.rotation_index.clone()));
+        facts.push(("bending energy", energy.to_owned()));
+    }
+    facts
+}
+
+/// The part of a report that is about a curve.
+fn curve(curve: &CurveReport) -> String {
+    let heading = format!("{}   Pythagorean-hodograph curve\n", curve.name);
+    let facts = curve_facts(curve).into_iter();
+    facts.fold(heading, |text, (label, value)| {
+        text + &entry(label, &value) + "\n"
+    })
 }
 
 fn lowest_terms(surface: &SurfaceReport) -> String {

@@ -221,6 +221,19 @@ impl<'a> Lowerer<'a> {
         }
     }
 
+    /// The sound curves of a file.
+    fn curves(&self, document: &Document) -> Vec<Rc<Curve>> {
+        let names = document.items.iter().filter_map(|item| {
+            let (name, _) = definition_of(&item.declaration)?;
+            self.meanings.get(name.text.as_str())
+        });
+        let curves = names.filter_map(|meaning| match meaning {
+            Meaning::Curve(curve) => Some(Rc::clone(curve)),
+            _ => None,
+        });
+        curves.collect()
+    }
+
     fn program(&mut self) -> Program {
         let Some(root) = self.sources.documents.first() else {
             return Program::default();
@@ -231,6 +244,7 @@ impl<'a> Lowerer<'a> {
             ..Program::default()
         };
         self.check_every_definition();
+        program.curves = self.curves(root);
         for item in &root.items {
             if let Declaration::Surface { name, .. } = &item.declaration {
                 program.declares_surfaces = true;

@@ -1,3 +1,6 @@
+use std::rc::Rc;
+
+use crate::curve::Curve;
 use crate::number::{Tower, Unit};
 use crate::sweep::{Expectation, SweptSurface};
 
@@ -8,6 +11,8 @@ pub struct Program {
     pub unit: Unit,
     /// The field of all numbers.
     pub tower: Tower,
+    /// The sound curves of the root file, in the order of the text.
+    pub curves: Vec<Rc<Curve>>,
     /// The surfaces of the root file, in the order of the text. Those with errors are missing.
     pub surfaces: Vec<SweptSurface>,
     /// The expectations of the root file.

@@ -33,7 +33,8 @@ impl NormalFault {
             }
             Self::FieldDegree { radicand } => {
                 format!(
-                    "the unit normal of this surface needs √({radicand}): the field grows beyond the limit on its degree"
+                    "the unit normal of this surface needs √({}): the field grows beyond the limit on its degree",
+                    radicand.brief()
                 )
             }
         }

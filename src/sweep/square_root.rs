@@ -71,11 +71,12 @@ fn no_root(radicand: &Real, fault: &RootFault, span: Span) -> Diagnostic {
     match fault {
         RootFault::Negative => {
             Diagnostic::new(Code::E0210, span, "the square root of a negative number")
-                .note(format!("the number is {radicand}"))
+                .note(format!("the number is {}", radicand.brief()))
         }
         RootFault::DegreeLimit { limit } => {
             let message = format!(
-                "√({radicand}) would make the degree of the number field greater than {limit}"
+                "√({}) would make the degree of the number field greater than {limit}",
+                radicand.brief()
             );
             Diagnostic::new(Code::E0509, span, message)
                 .help("raise the limit with `--max-field-degree`")

@@ -35,21 +35,22 @@ pub(super) fn check_weights(
     context: &Context,
 ) -> Result<Option<ExportFault>, ExportFault> {
     let (least, greatest) = (net.min_weight(), net.max_weight());
+    let (low, high) = (least.brief(), greatest.brief());
     let fault = |code, message: String, help| ExportFault::new(code, message, help);
     if !net.all_positive() {
         let message =
-            format!("a control point has weight {least}; STEP carries positive weights only");
+            format!("a control point has weight {low}; STEP carries positive weights only");
         let help = "restrict the surface to a smaller domain, or write the `json` file, which carries any weights";
         return Err(fault(Code::E0304, message, help));
     }
     let above = |ratio: i64| *greatest > least.times(&Real::from(ratio));
     if above(Context::GREATEST_WEIGHT_RATIO) && !context.any_weight_ratio {
-        let message = format!("the weights run from {least} to {greatest}, a factor above 10^6");
+        let message = format!("the weights run from {low} to {high}, a factor above 10^6");
         let help = "readers of STEP lose accuracy with such weights: restrict the surface to a smaller domain, or give `--allow-weight-ratio`";
         return Err(fault(Code::E0304, message, help));
     }
     Ok(above(LARGE_WEIGHT_RATIO).then(|| {
-        let message = format!("the weights run from {least} to {greatest}, a factor above 10^3");
+        let message = format!("the weights run from {low} to {high}, a factor above 10^3");
         let help = "readers of STEP may lose accuracy: restrict the surface to a smaller domain";
         fault(Code::W1006, message, help)
     }))
