@@ -10,7 +10,7 @@ use super::scope::Scope;
 use super::value::Value;
 
 /// The functions that the language has of its own. A declared name hides them.
-pub(super) const BUILT_IN: [&str; 12] = [
+pub const BUILT_IN: [&str; 12] = [
     "cross", "dot", "du", "dv", "end", "length", "matrix", "norm2", "normal", "offset", "sqrt",
     "start",
 ];

@@ -14,7 +14,7 @@ enum Side {
 }
 
 /// What an expectation may ask of a surface.
-pub(super) const QUERIES: [&str; 5] = [
+pub const QUERIES: [&str; 5] = [
     "bidegree",
     "common_factor",
     "positive_weights",

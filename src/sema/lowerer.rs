@@ -14,7 +14,7 @@ use super::spelling;
 use super::value::Value;
 
 /// The names that the language keeps for properties, parameters and unit vectors.
-pub(super) const RESERVED: [&str; 14] = [
+pub const RESERVED: [&str; 14] = [
     "x", "y", "z", "σ", "s", "t", "n", "κ", "ρ", "u", "v", "i", "j", "k",
 ];
 

@@ -23,6 +23,8 @@ mod surface;
 mod unknown;
 mod value;
 
-pub use lowerer::{Sources, lower};
+pub use call::BUILT_IN;
+pub use expectation::QUERIES;
+pub use lowerer::{RESERVED, Sources, lower};
 pub use names::Names;
 pub use program::Program;
