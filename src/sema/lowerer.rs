@@ -79,6 +79,8 @@ pub(super) struct Lowerer<'a> {
     pub(super) mentioned: Vec<String>,
     /// Curves whose cusps have been reported.
     pub(super) cusps_reported: Vec<String>,
+    /// Shared zeros and cusps of curves.
+    pub(super) shared_zeros: Vec<(Parameter, (Real, Real))>,
     /// Names whose declarations could not be parsed; their uses are not reported.
     pub(super) broken: Vec<&'a str>,
 }
@@ -95,6 +97,7 @@ impl<'a> Lowerer<'a> {
             depth: 0,
             mentioned: Vec::new(),
             cusps_reported: Vec::new(),
+            shared_zeros: Vec::new(),
             broken: sources
                 .documents
                 .iter()
@@ -254,6 +257,7 @@ impl<'a> Lowerer<'a> {
                 }
             }
         }
+        program.shared_zeros = std::mem::take(&mut self.shared_zeros);
         program
     }
 
