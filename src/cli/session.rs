@@ -58,18 +58,7 @@ impl Session {
             paths,
         } = load(file, &limits);
         stopwatch.lap("read and parsed");
-        let mut overrides = HashMap::new();
-        for (name, value) in assignments(&arguments.set)? {
-            if !documents.is_empty() {
-                check_parameter(&name, &documents, file)?;
-            }
-            overrides.insert(name, value);
-        }
-        if let Some(name) = &arguments.surface
-            && !documents.is_empty()
-        {
-            check_surface(name, &documents, file)?;
-        }
+        let overrides = overrides(arguments, &documents, file)?;
         let options = Options {
             overrides,
             surface: arguments.surface.clone(),
@@ -126,6 +115,25 @@ pub(super) fn assignments(given: &[String]) -> Result<Vec<(String, Real)>, Misus
         Ok((canonical_name(name.trim()), number))
     };
     given.iter().map(assignment).collect()
+}
+
+/// The values that replace those of parameters, once they and the surface asked for are known to
+/// fit the file.
+fn overrides(
+    arguments: &Arguments,
+    documents: &[Document],
+    file: &Path,
+) -> Result<HashMap<String, Real>, Misuse> {
+    let assignments = assignments(&arguments.set)?;
+    if !documents.is_empty() {
+        for (name, _) in &assignments {
+            check_parameter(name, documents, file)?;
+        }
+        if let Some(name) = &arguments.surface {
+            check_surface(name, documents, file)?;
+        }
+    }
+    Ok(assignments.into_iter().collect())
 }
 
 fn check_parameter(name: &str, documents: &[Document], file: &Path) -> Result<(), Misuse> {

@@ -4,7 +4,7 @@ use std::rc::Rc;
 use crate::curve::{Curve, Parameter};
 use crate::diag::{Code, Diagnostic, Diagnostics, FileId, Limits, SourceMap, Span};
 use crate::number::{Real, Tower, Unit};
-use crate::sweep::SweptSurface;
+use crate::sweep::{Scalar, SweptSurface};
 use crate::syntax::ast::{Declaration, Document, Expr, Item, Name, Role};
 
 use super::Program;
@@ -376,7 +376,7 @@ impl<'a> Lowerer<'a> {
             DefinitionForm::Constant { value, is_param } => {
                 let given = self.sources.overrides.get(&definition.name.text);
                 if let (Some(given), true) = (given, is_param) {
-                    let number = crate::sweep::Scalar::constant(value.span, given.clone());
+                    let number = Scalar::constant(value.span, given.clone());
                     return Ok(Meaning::Constant(Value::Scalar(number)));
                 }
                 self.constant(value).map(Meaning::Constant)
@@ -403,9 +403,15 @@ impl<'a> Lowerer<'a> {
             .iter()
             .map(|own| self.number(own, &Scope::constant()))
             .collect::<Lowered<Vec<Real>>>()?;
+        let limit = self.sources.limits.bits;
+        if numbers.iter().any(|own| own.bits() > limit) {
+            let message = format!("this number has more than {limit} bits");
+            let finding = Diagnostic::new(Code::E0507, value.span, message);
+            return Err(self.report(finding.help("raise the limit with `--max-bits`")));
+        }
         let mut numbers = numbers.into_iter();
         Ok(lowered.map(|own| match numbers.next() {
-            Some(number) => crate::sweep::Scalar::constant(value.span, number),
+            Some(number) => Scalar::constant(value.span, number),
             None => own.clone(),
         }))
     }

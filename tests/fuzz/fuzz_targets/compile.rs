@@ -19,7 +19,10 @@ fuzz_target!(|text: &str| {
         field_degree: 4,
         ..Limits::default()
     };
-    let options = Options { limits, ..Options::default() };
+    let options = Options {
+        limits,
+        ..Options::default()
+    };
     let (mut sources, mut findings) = (SourceMap::default(), Diagnostics::default());
     let file = sources.add("fuzz.sweep", text);
     let document = parse(file, text, &limits, &mut findings);

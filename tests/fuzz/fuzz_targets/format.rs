@@ -9,13 +9,21 @@ use sweepc::sema::Names;
 use sweepc::syntax::{Formatter, Spelling, parse};
 
 fuzz_target!(|text: &str| {
-    let limits = Limits { nesting: 64, ..Limits::default() };
+    let limits = Limits {
+        nesting: 64,
+        ..Limits::default()
+    };
     let Some(formatted) = layout(text, Spelling::AsWritten, &limits) else {
         return;
     };
-    assert_eq!(layout(&formatted, Spelling::AsWritten, &limits), Some(formatted));
+    assert_eq!(
+        layout(&formatted, Spelling::AsWritten, &limits),
+        Some(formatted)
+    );
     let spelled = layout(text, Spelling::Ascii, &limits);
-    let again = spelled.as_deref().and_then(|own| layout(own, Spelling::Ascii, &limits));
+    let again = spelled
+        .as_deref()
+        .and_then(|own| layout(own, Spelling::Ascii, &limits));
     assert_eq!(again, spelled);
 });
 
@@ -34,6 +42,9 @@ fn layout(text: &str, spelling: Spelling, limits: &Limits) -> Option<String> {
         limits,
     };
     let formatted = formatter.format(&documents[0], text);
-    assert!(formatted.is_some(), "the layout would change what the text says");
+    assert!(
+        formatted.is_some(),
+        "the layout would change what the text says"
+    );
     formatted
 }

@@ -6,7 +6,10 @@ use sweepc::diag::{Diagnostics, Limits, SourceMap, Style, render_json, render_te
 use sweepc::syntax::{decode, parse};
 
 fuzz_target!(|bytes: &[u8]| {
-    let limits = Limits { nesting: 64, ..Limits::default() };
+    let limits = Limits {
+        nesting: 64,
+        ..Limits::default()
+    };
     let Ok(text) = decode(bytes, "fuzz.sweep", &limits) else {
         return;
     };
