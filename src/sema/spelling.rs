@@ -77,8 +77,8 @@ pub(super) fn nearest<T: AsRef<str> + Ord>(
     known: impl Iterator<Item = T>,
 ) -> Option<T> {
     let limit = match word.chars().count() {
-        length if length < 2 || length > LONGEST => return None,
-        length => length.div_ceil(3),
+        length @ 2..=LONGEST => length.div_ceil(3),
+        _ => return None,
     };
     known
         .filter(|own| own.as_ref() != word && own.as_ref().chars().count() > 1)
