@@ -13,8 +13,12 @@ use crate::files::{SOUND, folder, tree};
 use crate::watched::sweepc;
 
 /// So many surfaces that their files cannot be written in an instant.
-fn many() -> String {
-    let surfaces = (0..400).map(|index| format!("surface R{index} = (u, a v, u v)\n"));
+const MANY: usize = 400;
+/// The same for runs that come to their end.
+const SOME: usize = 100;
+
+fn surfaces(count: usize) -> String {
+    let surfaces = (0..count).map(|index| format!("surface R{index} = (u, a v, u v)\n"));
     format!("param a = 1\n{}", surfaces.collect::<String>())
 }
 
@@ -80,7 +84,7 @@ fn row_53_asked_to_end_while_working() {
 #[test]
 fn row_53_asked_to_end_while_writing() {
     for signal in ["INT", "TERM"] {
-        let folder = folder(&[("x.sweep", &many()), ("x-R7.json", "old")]);
+        let folder = folder(&[("x.sweep", &surfaces(MANY)), ("x-R7.json", "old")]);
         let before = tree(folder.path());
         let child = spawn(folder.path(), &["compile", "x.sweep"]);
         wait_for_writing(folder.path());
@@ -94,7 +98,7 @@ fn row_53_asked_to_end_while_writing() {
         );
     }
     // The same for a folder that the run has made.
-    let folder = folder(&[("x.sweep", &many())]);
+    let folder = folder(&[("x.sweep", &surfaces(MANY))]);
     let child = spawn(folder.path(), &["compile", "x.sweep", "-o", "out"]);
     let out = folder.path().join("out");
     while !out.exists() {
@@ -108,7 +112,7 @@ fn row_53_asked_to_end_while_writing() {
 
 #[test]
 fn row_54_killed_while_writing() {
-    let folder = folder(&[("x.sweep", &many())]);
+    let folder = folder(&[("x.sweep", &surfaces(SOME))]);
     let compiled = |arguments: &[&str]| {
         let run = sweepc(
             folder.path(),
@@ -134,13 +138,13 @@ fn row_54_killed_while_writing() {
     let stale = partial(folder.path());
     let new = compiled(&["-D", "a=2"]);
     assert_eq!(partial(folder.path()), stale);
-    let name = std::ffi::OsStr::new("x-R399.json");
+    let name = std::ffi::OsStr::new("x-R99.json");
     assert!(new[name] != old[name]);
 }
 
 #[test]
 fn row_55_two_runs_with_the_same_output() {
-    let text = many();
+    let text = surfaces(SOME);
     let alone = |value: &str| {
         let folder = folder(&[("x.sweep", &text)]);
         assert_eq!(
