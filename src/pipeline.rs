@@ -34,6 +34,17 @@ pub struct Options {
     pub any_weight_ratio: bool,
 }
 
+/// A step of a compilation that is done.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Step<'a> {
+    /// Names are resolved and types checked.
+    Lowered,
+    /// The surface of this name is expanded and checked.
+    Checked(&'a str),
+    /// The expectations are decided.
+    Judged,
+}
+
 /// A compiled file: what was proved of it, and every finding.
 #[derive(Debug, Default)]
 pub struct Compilation {
@@ -55,7 +66,19 @@ pub fn compile(
     sources: &mut SourceMap,
     documents: &[Document],
     options: &Options,
+    diagnostics: Diagnostics,
+) -> Compilation {
+    compile_in_steps(sources, documents, options, diagnostics, &mut |_| {})
+}
+
+/// As [`compile`], and tells of every step that is done.
+#[must_use]
+pub fn compile_in_steps(
+    sources: &mut SourceMap,
+    documents: &[Document],
+    options: &Options,
     mut diagnostics: Diagnostics,
+    done: &mut dyn FnMut(Step<'_>),
 ) -> Compilation {
     let library = library(sources, &mut diagnostics);
     let input = sema::Sources {
@@ -72,8 +95,10 @@ pub fn compile(
         diagnostics,
         ..Compilation::default()
     };
-    compilation.check(&program, options);
+    done(Step::Lowered);
+    compilation.check(&program, options, done);
     compilation.judge(&program, options);
+    done(Step::Judged);
     quiet_consequences(&mut compilation.diagnostics, documents);
     compilation.diagnostics.sort();
     compilation
@@ -106,7 +131,7 @@ fn library(sources: &mut SourceMap, diagnostics: &mut Diagnostics) -> Document {
 }
 
 impl Compilation {
-    fn check(&mut self, program: &Program, options: &Options) {
+    fn check(&mut self, program: &Program, options: &Options, done: &mut dyn FnMut(Step<'_>)) {
         let wanted = |name: &str| options.surface.as_deref().is_none_or(|only| only == name);
         for surface in &program.surfaces {
             if !wanted(&surface.name) {
@@ -115,6 +140,8 @@ impl Compilation {
             }
             match Checked::of(surface.clone(), &options.limits) {
                 Ok(checked) => {
+                    let shared = checked.shared_zero_finding(&program.shared_zeros);
+                    self.diagnostics.extend(shared);
                     self.diagnostics.extend(checked.pole_finding());
                     self.diagnostics.extend(checked.singular_finding());
                     self.surfaces.push(Some(checked));
@@ -124,6 +151,7 @@ impl Compilation {
                     self.surfaces.push(None);
                 }
             }
+            done(Step::Checked(&surface.name));
         }
     }
 

@@ -1,4 +1,4 @@
-use crate::curve::Interval;
+use crate::curve::{Interval, Parameter};
 use crate::diag::{Code, Diagnostic, Limits};
 use crate::number::Real;
 use crate::poly::{ZeroKind, ZeroSet};
@@ -7,7 +7,7 @@ use crate::sweep::{Domain, Expansion, HomogeneousSurface, SweptSurface};
 use super::affine::affine_degrees;
 use super::direction::NormalDirection;
 use super::offset::rational_offset;
-use super::pole::poles;
+use super::pole::zeros_on;
 use super::regular::regular;
 use super::weights::weight_range;
 use super::{AffineDegree, Verdict, WeightRange};
@@ -20,6 +20,7 @@ pub struct Checked {
     affine: [AffineDegree; 3],
     weights: Option<WeightRange>,
     poles: Vec<ZeroSet<Real>>,
+    shared_zeros: Vec<ZeroSet<Real>>,
     regular: Verdict,
     singular: Vec<ZeroSet<Real>>,
     rational_offset: Verdict,
@@ -43,7 +44,7 @@ impl Checked {
             let finding = Diagnostic::new(Code::E0302, definition.span, message);
             return Err(Box::new(finding.note("R_u × R_v is zero identically")));
         };
-        let poles = poles(surface, domain);
+        let poles = zeros_on(surface.weight(), domain);
         let (regular, singular) = if poles.is_empty() {
             regular(&direction, domain)
         } else {
@@ -58,6 +59,7 @@ impl Checked {
             rational_offset: rational_offset(&direction),
             weights,
             poles,
+            shared_zeros: zeros_on(&expansion.common_factor, domain),
             expansion,
             definition,
         })
@@ -150,6 +152,37 @@ impl Checked {
         );
         let finding = Diagnostic::new(Code::W1011, self.definition.span, message);
         Some(finding.note("the surface folds there, or its sweep curve or profile has a cusp"))
+    }
+
+    /// The warning for a zero that W, X, Y, Z as constructed have in common on the domain, so that
+    /// the formula says 0/0 there. Those that a curve brings, at bounds in its parameter, are told
+    /// of the curve.
+    #[must_use]
+    pub fn shared_zero_finding(
+        &self,
+        of_curves: &[(Parameter, (Real, Real))],
+    ) -> Option<Diagnostic> {
+        let overlaps =
+            |own: &(Real, Real), other: &(Real, Real)| own.0 <= other.1 && other.0 <= own.1;
+        let is_told = |place: &&ZeroSet<Real>| {
+            of_curves
+                .iter()
+                .any(|(parameter, bounds)| match place.kind {
+                    ZeroKind::LineU => *parameter == Parameter::U && overlaps(&place.u, bounds),
+                    ZeroKind::LineV => *parameter == Parameter::V && overlaps(&place.v, bounds),
+                    ZeroKind::Point | ZeroKind::Box => false,
+                })
+        };
+        let place = self.shared_zeros.iter().find(|place| !is_told(place))?;
+        let message = format!(
+            "numerators and denominator of `{}` are all zero at {place}",
+            self.name()
+        );
+        let finding = Diagnostic::new(Code::W1004, self.definition.span, message);
+        Some(finding.note(format!(
+            "the common factor {} cancels",
+            self.expansion.common_factor
+        )))
     }
 
     /// The error that the poles are, if there are any.

@@ -1,6 +1,8 @@
+use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap_complete::Shell;
 
 use crate::diag::Limits;
 
@@ -12,7 +14,8 @@ use super::watch::Budget;
 #[command(name = "sweepc", version, about, max_term_width = 100)]
 #[command(after_help = "A file named `-` is read from standard input.\n\
     Exit status: 0 all well; 1 errors in the input; 2 wrong usage; 3 a file could not be read or \
-    written; 4 a limit was reached; 70 an internal error.")]
+    written; 4 a limit was reached; 70 an internal error; 130 \
+    interrupted.")]
 pub(super) struct Arguments {
     #[command(subcommand)]
     pub(super) command: Command,
@@ -25,6 +28,16 @@ pub(super) struct Arguments {
     /// Work on this surface only
     #[arg(long, value_name = "NAME", global = true)]
     pub(super) surface: Option<String>,
+    /// How many files are worked on side by side; as many as the machine has cores if it is left
+    /// out. The result is the same
+    #[arg(long, value_name = "NUMBER", global = true)]
+    threads: Option<NonZeroUsize>,
+    /// Print errors only: no warnings, no list of written files, no progress
+    #[arg(short, long, global = true, conflicts_with = "verbose")]
+    pub(super) quiet: bool,
+    /// Print how long each stage takes
+    #[arg(short, long, global = true)]
+    pub(super) verbose: bool,
     #[command(flatten)]
     limits: LimitArguments,
 }
@@ -41,6 +54,10 @@ pub(super) enum Command {
     Explain(ExplainArguments),
     /// Write files in their canonical layout
     Fmt(FmtArguments),
+    /// Print a script that completes command lines in a shell
+    Completions(CompletionsArguments),
+    /// Write the manual pages
+    Man(ManArguments),
 }
 
 #[derive(Debug, Args)]
@@ -108,6 +125,20 @@ pub(super) struct FmtArguments {
     pub(super) unicode: bool,
 }
 
+#[derive(Debug, Args)]
+pub(super) struct CompletionsArguments {
+    /// The shell
+    #[arg(value_name = "SHELL")]
+    pub(super) shell: Shell,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct ManArguments {
+    /// The folder to write them into
+    #[arg(value_name = "DIR")]
+    pub(super) folder: PathBuf,
+}
+
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(super) enum Color {
     Auto,
@@ -173,6 +204,13 @@ impl Arguments {
             seconds: self.limits.max_seconds,
             mebibytes: self.limits.max_memory,
         }
+    }
+
+    /// How many files are worked on side by side.
+    pub(super) fn threads(&self) -> usize {
+        let cores = || std::thread::available_parallelism().ok();
+        let threads = self.threads.or_else(cores);
+        threads.map_or(1, NonZeroUsize::get)
     }
 
     /// The limits, with those that the command line replaces.

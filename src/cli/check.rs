@@ -1,39 +1,108 @@
 use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
 
 use crate::diag::{Code, Diagnostic, render_json};
 
 use super::arguments::{Arguments, CheckArguments, CheckFormat};
-use super::session::{Session, print, print_hint};
+use super::parallel::in_order;
+use super::progress;
+use super::session::{Misuse, Session, assignments};
 use super::status::Status;
+use super::streams::{complain, print, tell};
+use super::voice::Voice;
+
+/// What there is to say of one file.
+struct Checked {
+    out: String,
+    err: String,
+    codes: BTreeSet<Code>,
+    status: Status,
+}
 
 /// `sweepc check FILE…`
-pub(super) fn run(own: &CheckArguments, arguments: &Arguments) -> Status {
-    let mut worst = Status::Success;
-    let mut codes = BTreeSet::new();
-    for file in &own.files {
-        let mut session = match Session::open(file, arguments, false) {
-            Ok(session) => session,
-            Err(status) => return status,
+///
+/// Files are worked on side by side, and told of in the order in which they are named.
+pub(super) fn run(own: &CheckArguments, arguments: &Arguments, stack: usize) -> Status {
+    // What is wrong whatever the files are is said once.
+    if let Err(misuse) = assignments(&arguments.set) {
+        return misuse.complain();
+    }
+    if own
+        .files
+        .iter()
+        .filter(|own| own.as_os_str() == "-")
+        .count()
+        > 1
+    {
+        return Misuse("standard input can be read only once".to_owned()).complain();
+    }
+    match own.files.as_slice() {
+        [file] => progress::begin(&file.display().to_string()),
+        files => progress::begin_files(files.len()),
+    }
+    let voice = Voice::of(arguments);
+    let (mut worst, mut codes) = (Status::Success, BTreeSet::new());
+    let work = |file: &PathBuf| {
+        let checked = check(file, own, arguments, voice);
+        progress::advance();
+        checked
+    };
+    in_order(&own.files, arguments.threads(), stack, work, |checked| {
+        let status = match checked {
+            Some(checked) => {
+                tell(&checked.err);
+                codes.extend(checked.codes);
+                checked.status.max(print(&checked.out))
+            }
+            None => {
+                complain("internal error: this is a defect of sweepc, please report it");
+                Status::Internal
+            }
         };
-        let diagnostics = &mut session.compilation.diagnostics;
-        if session.readable && session.compilation.surfaces.is_empty() && !diagnostics.has_errors()
-        {
-            let message = format!("`{}` declares no surface", file.display());
-            diagnostics.push(Diagnostic::global(Code::W1007, message));
+        worst = worst.max(status);
+    });
+    voice.tell_hint(&codes);
+    worst
+}
+
+fn check(file: &Path, own: &CheckArguments, arguments: &Arguments, voice: Voice) -> Checked {
+    let mut session = match Session::open(file, arguments, false) {
+        Ok(session) => session,
+        Err(Misuse(message)) => {
+            return Checked {
+                out: String::new(),
+                err: format!("sweepc: {message}\n"),
+                codes: BTreeSet::new(),
+                status: Status::Usage,
+            };
         }
-        worst = worst.max(Status::of(diagnostics));
-        match own.format {
-            CheckFormat::Text => {
-                session.print_findings(arguments.color);
-                codes.extend(session.codes());
-            }
-            CheckFormat::Json => {
-                for diagnostic in session.compilation.diagnostics.iter() {
-                    print(&format!("{}\n", render_json(diagnostic, &session.sources)));
-                }
-            }
+    };
+    let sources = &session.sources;
+    let diagnostics = &mut session.compilation.diagnostics;
+    if session.readable && session.compilation.surfaces.is_empty() && !diagnostics.has_errors() {
+        let message = format!("`{}` declares no surface", file.display());
+        diagnostics.push(Diagnostic::global(Code::W1007, message));
+    }
+    let mut checked = Checked {
+        out: String::new(),
+        err: String::new(),
+        codes: BTreeSet::new(),
+        status: Status::of(diagnostics),
+    };
+    match own.format {
+        CheckFormat::Text => {
+            checked.err = voice.findings(diagnostics, sources);
+            checked.codes = diagnostics.iter().map(|own| own.code).collect();
+        }
+        CheckFormat::Json => {
+            let lines = voice.told(diagnostics);
+            let lines = lines.map(|own| render_json(own, sources) + "\n");
+            checked.out = lines.collect();
         }
     }
-    print_hint(&codes);
-    worst
+    if voice.is_verbose {
+        let lines = session.stopwatch.lines(&file.display().to_string());
+        checked.err.push_str(&lines);
+    }
+    checked
 }

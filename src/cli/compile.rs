@@ -7,19 +7,24 @@ use crate::export::{ALL, Exporter};
 use crate::report::render_json;
 
 use super::arguments::{Arguments, CompileArguments};
-use super::output::{Staged, file_name, named, stem};
+use super::output::{file_name, named, stem};
+use super::progress;
 use super::report::require_surfaces;
-use super::session::{Session, complain, print};
+use super::session::Session;
+use super::staged::Staged;
 use super::status::Status;
+use super::streams::{complain, print, tell};
+use super::voice::Voice;
 
 /// `sweepc compile FILE`
 pub(super) fn run(own: &CompileArguments, arguments: &Arguments) -> Status {
     let Some(emit) = Emit::of(&own.emit) else {
         return Status::Usage;
     };
+    progress::begin(&file_name(&own.file));
     let mut session = match Session::open(&own.file, arguments, own.allow_weight_ratio) {
         Ok(session) => session,
-        Err(status) => return status,
+        Err(misuse) => return misuse.complain(),
     };
     require_surfaces(&mut session, &own.file);
     let files = if keeps_files(&session.compilation.diagnostics) {
@@ -27,6 +32,7 @@ pub(super) fn run(own: &CompileArguments, arguments: &Arguments) -> Status {
     } else {
         Vec::new()
     };
+    session.stopwatch.lap("nets and files made");
     let written = match write(&session, own, files) {
         Ok(written) => written,
         Err(finding) => {
@@ -34,11 +40,18 @@ pub(super) fn run(own: &CompileArguments, arguments: &Arguments) -> Status {
             Vec::new()
         }
     };
-    session.print_diagnostics(arguments.color);
-    for path in written {
-        print(&format!("{}\n", path.display()));
+    session.stopwatch.lap("files written");
+    let voice = Voice::of(arguments);
+    voice.tell(&session.compilation.diagnostics, &session.sources);
+    if voice.is_verbose {
+        tell(&session.stopwatch.lines(&file_name(&own.file)));
     }
-    Status::of(&session.compilation.diagnostics)
+    let status = Status::of(&session.compilation.diagnostics);
+    if voice.is_quiet {
+        return status;
+    }
+    let list = written.iter().map(|path| format!("{}\n", path.display()));
+    status.max(print(&list.collect::<String>()))
 }
 
 /// What is asked for.
@@ -138,10 +151,10 @@ fn write(
         let message = format!("`{}` is a file: `-o` names a folder", folder.display());
         return Err(Box::new(Diagnostic::global(Code::E0602, message)));
     }
-    if !folder.as_os_str().is_empty() && !folder.exists() {
-        fs::create_dir(&folder).map_err(|error| failed(&folder, &error))?;
-    }
     let mut staged = Staged::default();
+    staged
+        .folder(&folder)
+        .map_err(|error| failed(&folder, &error))?;
     for (name, bytes) in files {
         let path = folder.join(name);
         if is_input(session, &path) {

@@ -6,8 +6,9 @@ use anstyle::{AnsiColor, Style};
 use crate::diag::Code;
 
 use super::arguments::{Arguments, ExplainArguments};
-use super::session::{complain, is_coloured, print};
 use super::status::Status;
+use super::streams::{complain, print};
+use super::voice::is_coloured;
 
 /// How many codes are proposed for one that does not exist.
 const PROPOSALS: usize = 3;
@@ -16,8 +17,7 @@ const PROPOSALS: usize = 3;
 pub(super) fn run(own: &ExplainArguments, arguments: &Arguments) -> Status {
     let coloured = is_coloured(arguments.color, std::io::stdout().is_terminal());
     if own.codes.is_empty() {
-        print(&list(coloured));
-        return Status::Success;
+        return print(&list(coloured));
     }
     let mut pages = Vec::new();
     for word in &own.codes {
@@ -33,8 +33,7 @@ pub(super) fn run(own: &ExplainArguments, arguments: &Arguments) -> Status {
             }
         }
     }
-    print(&pages.join("\n"));
-    Status::Success
+    print(&pages.join("\n"))
 }
 
 /// The line that names the pages on some codes.

@@ -9,12 +9,24 @@ use crate::syntax::{Formatter, Spelling, parse};
 
 use super::arguments::{Arguments, FmtArguments};
 use super::load::{Loaded, load};
-use super::output::Staged;
-use super::session::{complain, print, print_diagnostics};
+use super::session::Misuse;
+use super::staged::Staged;
 use super::status::Status;
+use super::stopwatch::Stopwatch;
+use super::streams::{complain, print, tell};
+use super::voice::Voice;
 
 /// `sweepc fmt FILE…`
 pub(super) fn run(own: &FmtArguments, arguments: &Arguments) -> Status {
+    if own
+        .files
+        .iter()
+        .filter(|own| own.as_os_str() == "-")
+        .count()
+        > 1
+    {
+        return Misuse("standard input can be read only once".to_owned()).complain();
+    }
     let files = own.files.iter();
     let statuses = files.map(|file| format(file, own, arguments));
     statuses.max().unwrap_or(Status::Success)
@@ -24,6 +36,8 @@ pub(super) fn run(own: &FmtArguments, arguments: &Arguments) -> Status {
 /// no error here.
 fn format(file: &Path, own: &FmtArguments, arguments: &Arguments) -> Status {
     let limits = arguments.limits();
+    let voice = Voice::of(arguments);
+    let mut stopwatch = Stopwatch::start();
     let Loaded {
         sources,
         documents,
@@ -31,14 +45,15 @@ fn format(file: &Path, own: &FmtArguments, arguments: &Arguments) -> Status {
         ..
     } = load(file, &limits);
     let Some(document) = documents.first() else {
-        print_diagnostics(&findings, &sources, arguments.color);
+        voice.tell(&findings, &sources);
         return Status::of(&findings);
     };
+    stopwatch.lap("read and parsed");
     let source = sources.file(document.file);
     let mut errors = Diagnostics::default();
     parse(document.file, &source.text, &limits, &mut errors);
     if errors.has_errors() {
-        print_diagnostics(&errors, &sources, arguments.color);
+        voice.tell(&errors, &sources);
         return Status::of(&errors);
     }
     let library = standard_library();
@@ -56,18 +71,23 @@ fn format(file: &Path, own: &FmtArguments, arguments: &Arguments) -> Status {
         ));
         return Status::Internal;
     };
+    stopwatch.lap("laid out");
+    if voice.is_verbose {
+        tell(&stopwatch.lines(&source.name));
+    }
     if own.check {
         return check(&source.name, &source.text, &formatted);
     }
     if file == Path::new("-") {
-        print(&formatted);
-    } else if formatted != source.text
+        return print(&formatted);
+    }
+    if formatted != source.text
         && let Err(error) = write(file, &formatted)
     {
         let message = format!("`{}` cannot be written: {error}", file.display());
         findings = Diagnostics::default();
         findings.push(Diagnostic::global(Code::E0602, message));
-        print_diagnostics(&findings, &sources, arguments.color);
+        voice.tell(&findings, &sources);
         return Status::of(&findings);
     }
     Status::Success
@@ -88,8 +108,7 @@ fn check(name: &str, text: &str, formatted: &str) -> Status {
     }
     let difference = TextDiff::from_lines(text, formatted);
     let difference = difference.unified_diff().context_radius(1).to_string();
-    print(&format!("{name}\n{difference}"));
-    Status::Errors
+    Status::Errors.max(print(&format!("{name}\n{difference}")))
 }
 
 fn write(file: &Path, formatted: &str) -> std::io::Result<()> {

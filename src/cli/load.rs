@@ -128,7 +128,13 @@ impl Loader<'_> {
         let path = match fs::canonicalize(&joined) {
             Ok(path) => path,
             Err(error) => {
-                return self.fail(format!("`{target}` cannot be read: {error}"), Some(span));
+                let message = format!("`{target}` cannot be read: {error}");
+                let tried = joined.strip_prefix(&self.folder).unwrap_or(&joined);
+                let finding = Diagnostic::new(Code::E0601, span, message).note(format!(
+                    "looked for `{}` in the project folder",
+                    tried.display()
+                ));
+                return self.loaded.diagnostics.push(finding);
             }
         };
         if !path.starts_with(&self.folder) {

@@ -3,13 +3,22 @@
 mod arguments;
 mod check;
 mod compile;
+mod completions;
 mod explain;
 mod fmt;
+mod interrupt;
 mod load;
+mod man;
 mod output;
+mod parallel;
+mod progress;
 mod report;
 mod session;
+mod staged;
 mod status;
+mod stopwatch;
+mod streams;
+mod voice;
 mod watch;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -19,7 +28,9 @@ use std::sync::mpsc::channel;
 use clap::Parser;
 
 use arguments::{Arguments, Command};
+use interrupt::Interrupt;
 use status::Status;
+use voice::Voice;
 use watch::watch;
 
 /// Stack for the deepest expressions that the default limits allow, and for each further level.
@@ -31,30 +42,31 @@ const STACK_OF_LEVEL: usize = 32 << 10;
 pub fn run() -> ExitCode {
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
-        Err(error) => {
-            let usage = error.use_stderr();
-            let _ = error.print();
-            return if usage {
-                Status::Usage
-            } else {
-                Status::Success
-            }
-            .into();
-        }
+        Err(error) => return answer(&error).into(),
     };
+    let interrupt = Interrupt::listen();
     let levels = arguments.limits().nesting.saturating_sub(256);
     let stack = STACK.saturating_add(levels.saturating_mul(STACK_OF_LEVEL));
-    let budget = arguments.budget();
+    let (budget, voice) = (arguments.budget(), Voice::of(&arguments));
     let (sender, receiver) = channel();
     let worker = std::thread::Builder::new().stack_size(stack);
     let work = worker.spawn(move || {
-        if let Ok(status) = catch_unwind(AssertUnwindSafe(|| dispatch(&arguments))) {
+        if let Ok(status) = catch_unwind(AssertUnwindSafe(|| dispatch(&arguments, stack))) {
             let _ = sender.send(status);
         }
     });
-    let status = work.ok().and_then(|_| watch(&receiver, budget));
+    if let Err(error) = work {
+        streams::complain(&format!(
+            "there is no memory for so many levels (`--max-nesting`): {error}"
+        ));
+        return Status::Limit.into();
+    }
+    let status = watch(&receiver, budget, &interrupt, voice);
+    // The work may still be going on, after a signal or at a limit.
+    staged::abandon();
+    progress::end();
     let Some(status) = status else {
-        session::complain(
+        streams::complain(
             "internal error: this is a defect of sweepc, please report it with the input",
         );
         return Status::Internal.into();
@@ -62,12 +74,25 @@ pub fn run() -> ExitCode {
     status.into()
 }
 
-fn dispatch(arguments: &Arguments) -> Status {
+/// What is printed instead of a run: help, the version, or what is wrong with the command line.
+fn answer(error: &clap::Error) -> Status {
+    let printed = error.print();
+    let lost = printed.is_err_and(|own| own.kind() != std::io::ErrorKind::BrokenPipe);
+    match (error.use_stderr(), lost) {
+        (true, _) => Status::Usage,
+        (false, true) => Status::File,
+        (false, false) => Status::Success,
+    }
+}
+
+fn dispatch(arguments: &Arguments, stack: usize) -> Status {
     match &arguments.command {
-        Command::Check(own) => check::run(own, arguments),
+        Command::Check(own) => check::run(own, arguments, stack),
         Command::Report(own) => report::run(own, arguments),
         Command::Compile(own) => compile::run(own, arguments),
         Command::Explain(own) => explain::run(own, arguments),
         Command::Fmt(own) => fmt::run(own, arguments),
+        Command::Completions(own) => completions::run(own),
+        Command::Man(own) => man::run(own, arguments),
     }
 }

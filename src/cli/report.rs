@@ -3,36 +3,44 @@ use crate::report::{render_json, render_markdown, render_text};
 
 use super::arguments::{Arguments, ReportArguments, ReportFormat};
 use super::output::file_name;
-use super::session::{Session, complain, print};
+use super::progress;
+use super::session::Session;
 use super::status::Status;
+use super::streams::{complain, print, tell};
+use super::voice::Voice;
 
 /// `sweepc report FILE`
 pub(super) fn run(own: &ReportArguments, arguments: &Arguments) -> Status {
+    progress::begin(&file_name(&own.file));
     let mut session = match Session::open(&own.file, arguments, false) {
         Ok(session) => session,
-        Err(status) => return status,
+        Err(misuse) => return misuse.complain(),
     };
     require_surfaces(&mut session, &own.file);
-    session.print_diagnostics(arguments.color);
-    let report = session
-        .compilation
-        .report(&file_name(&own.file), &session.sources);
+    let voice = Voice::of(arguments);
+    voice.tell(&session.compilation.diagnostics, &session.sources);
+    let name = file_name(&own.file);
+    let report = session.compilation.report(&name, &session.sources);
     let status = Status::of(&session.compilation.diagnostics);
     if report.surfaces.is_empty() && own.format != ReportFormat::Json {
         return status;
     }
-    match own.format {
-        ReportFormat::Text => print(&render_text(&report)),
-        ReportFormat::Markdown => print(&render_markdown(&report)),
+    let text = match own.format {
+        ReportFormat::Text => render_text(&report),
+        ReportFormat::Markdown => render_markdown(&report),
         ReportFormat::Json => match render_json(&report) {
-            Ok(text) => print(&text),
+            Ok(text) => text,
             Err(error) => {
                 complain(&error.to_string());
                 return Status::Internal;
             }
         },
+    };
+    session.stopwatch.lap("report made");
+    if voice.is_verbose {
+        tell(&session.stopwatch.lines(&name));
     }
-    status
+    status.max(print(&text))
 }
 
 /// A file without surfaces has nothing to report or to build.

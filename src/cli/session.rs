@@ -1,17 +1,29 @@
-use std::collections::{BTreeSet, HashMap};
-use std::io::{IsTerminal, Write};
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
-use crate::diag::{Code, Diagnostics, SourceMap, Style, render_text};
+use crate::diag::SourceMap;
 use crate::number::Real;
-use crate::pipeline::{Compilation, Options, compile};
+use crate::pipeline::{Compilation, Options, Step, compile_in_steps};
 use crate::syntax::ast::{Declaration, Document};
 use crate::syntax::canonical_name;
 
-use super::arguments::{Arguments, Color};
-use super::explain::hint;
+use super::arguments::Arguments;
 use super::load::{Loaded, load};
 use super::status::Status;
+use super::stopwatch::Stopwatch;
+use super::streams::complain;
+
+/// A command line that does not fit a file, in words.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Misuse(pub(super) String);
+
+impl Misuse {
+    /// Tells it.
+    pub(super) fn complain(&self) -> Status {
+        complain(&self.0);
+        Status::Usage
+    }
+}
 
 /// A compiled file with its sources.
 pub(super) struct Session {
@@ -22,6 +34,8 @@ pub(super) struct Session {
     pub(super) paths: Vec<Option<PathBuf>>,
     /// Whether the root file was read and declares a surface.
     pub(super) readable: bool,
+    /// How long each stage took.
+    pub(super) stopwatch: Stopwatch,
 }
 
 impl Session {
@@ -29,25 +43,22 @@ impl Session {
     ///
     /// # Errors
     ///
-    /// A wrong `-D` or `--surface`, which has been told on standard error.
+    /// A `-D` or `--surface` that does not fit the file.
     pub(super) fn open(
         file: &Path,
         arguments: &Arguments,
         any_weight_ratio: bool,
-    ) -> Result<Self, Status> {
+    ) -> Result<Self, Misuse> {
         let limits = arguments.limits();
+        let mut stopwatch = Stopwatch::start();
         let Loaded {
             mut sources,
             documents,
             diagnostics,
             paths,
         } = load(file, &limits);
-        let overrides = overrides(&arguments.set, &documents)?;
-        if let Some(name) = &arguments.surface
-            && !documents.is_empty()
-        {
-            check_surface(name, &documents)?;
-        }
+        stopwatch.lap("read and parsed");
+        let overrides = overrides(arguments, &documents, file)?;
         let options = Options {
             overrides,
             surface: arguments.surface.clone(),
@@ -56,7 +67,19 @@ impl Session {
         };
         let readable = !documents.is_empty();
         let compilation = if readable {
-            compile(&mut sources, &documents, &options, diagnostics)
+            compile_in_steps(
+                &mut sources,
+                &documents,
+                &options,
+                diagnostics,
+                &mut |step| {
+                    stopwatch.lap(match step {
+                        Step::Lowered => "names and types resolved".to_owned(),
+                        Step::Checked(name) => format!("`{name}` expanded and checked"),
+                        Step::Judged => "expectations decided".to_owned(),
+                    });
+                },
+            )
         } else {
             Compilation {
                 diagnostics,
@@ -69,126 +92,79 @@ impl Session {
             options,
             paths,
             readable,
+            stopwatch,
         })
     }
-
-    /// Prints the findings to standard error, and where to read more of them.
-    pub(super) fn print_diagnostics(&self, color: Color) {
-        self.print_findings(color);
-        print_hint(&self.codes());
-    }
-
-    /// Prints the findings to standard error.
-    pub(super) fn print_findings(&self, color: Color) {
-        print_findings(&self.compilation.diagnostics, &self.sources, color);
-    }
-
-    /// The codes of the findings.
-    pub(super) fn codes(&self) -> BTreeSet<Code> {
-        codes(&self.compilation.diagnostics)
-    }
 }
 
-/// Prints findings to standard error, and where to read more of them.
-pub(super) fn print_diagnostics(diagnostics: &Diagnostics, sources: &SourceMap, color: Color) {
-    print_findings(diagnostics, sources, color);
-    print_hint(&codes(diagnostics));
-}
-
-fn print_findings(diagnostics: &Diagnostics, sources: &SourceMap, color: Color) {
-    let coloured = is_coloured(color, std::io::stderr().is_terminal());
-    let style = if coloured {
-        Style::Coloured
-    } else {
-        Style::Plain
+/// The names and values of `-D NAME=VALUE`.
+///
+/// # Errors
+///
+/// One that has another form.
+pub(super) fn assignments(given: &[String]) -> Result<Vec<(String, Real)>, Misuse> {
+    let assignment = |own: &String| {
+        let Some((name, value)) = own.split_once('=') else {
+            return Err(Misuse(format!("`-D {own}` is not of the form NAME=VALUE")));
+        };
+        let Ok(number) = value.trim().parse::<Real>() else {
+            return Err(Misuse(format!(
+                "`{value}` is not an exact number such as 3/2 or 0.25"
+            )));
+        };
+        Ok((canonical_name(name.trim()), number))
     };
-    let mut stderr = std::io::stderr().lock();
-    for diagnostic in diagnostics.iter() {
-        let _ = writeln!(stderr, "{}", render_text(diagnostic, sources, style));
+    given.iter().map(assignment).collect()
+}
+
+/// The values that replace those of parameters, once they and the surface asked for are known to
+/// fit the file.
+fn overrides(
+    arguments: &Arguments,
+    documents: &[Document],
+    file: &Path,
+) -> Result<HashMap<String, Real>, Misuse> {
+    let assignments = assignments(&arguments.set)?;
+    if !documents.is_empty() {
+        for (name, _) in &assignments {
+            check_parameter(name, documents, file)?;
+        }
+        if let Some(name) = &arguments.surface {
+            check_surface(name, documents, file)?;
+        }
     }
+    Ok(assignments.into_iter().collect())
 }
 
-fn codes(diagnostics: &Diagnostics) -> BTreeSet<Code> {
-    diagnostics.iter().map(|own| own.code).collect()
-}
-
-/// One line that names the pages on some codes, to standard error.
-pub(super) fn print_hint(codes: &BTreeSet<Code>) {
-    if !codes.is_empty() {
-        let _ = writeln!(std::io::stderr(), "{}", hint(codes));
-    }
-}
-
-/// Whether a stream is to be coloured.
-pub(super) fn is_coloured(color: Color, is_terminal: bool) -> bool {
-    match color {
-        Color::Always => true,
-        Color::Never => false,
-        Color::Auto => std::env::var_os("NO_COLOR").is_none_or(|own| own.is_empty()) && is_terminal,
-    }
-}
-
-/// Writes results to standard output; a reader that has gone away ends the output quietly.
-pub(super) fn print(text: &str) {
-    let mut stdout = std::io::stdout().lock();
-    let _ = stdout
-        .write_all(text.as_bytes())
-        .and_then(|()| stdout.flush());
-}
-
-/// One line to standard error.
-pub(super) fn complain(message: &str) {
-    let _ = writeln!(std::io::stderr(), "sweepc: {message}");
-}
-
-/// The values of `-D NAME=VALUE`; each must name a `param`.
-fn overrides(given: &[String], documents: &[Document]) -> Result<HashMap<String, Real>, Status> {
-    let mut overrides = HashMap::new();
-    let params = names(documents, |own| match own {
+fn check_parameter(name: &str, documents: &[Document], file: &Path) -> Result<(), Misuse> {
+    let parameters = names(documents, |own| match own {
         Declaration::Param { name, .. } => Some(name.text.as_str()),
         _ => None,
     });
-    for own in given {
-        let Some((name, value)) = own.split_once('=') else {
-            complain(&format!("`-D {own}` is not of the form NAME=VALUE"));
-            return Err(Status::Usage);
-        };
-        let name = canonical_name(name.trim());
-        let Ok(value) = value.trim().parse::<Real>() else {
-            complain(&format!(
-                "`{value}` is not an exact number such as 3/2 or 0.25"
-            ));
-            return Err(Status::Usage);
-        };
-        if !documents.is_empty() && !params.contains(&name.as_str()) {
-            let list = if params.is_empty() {
-                "the file has none".to_owned()
-            } else {
-                format!("there are: {}", params.join(", "))
-            };
-            complain(&format!("`{name}` is not a parameter; {list}"));
-            return Err(Status::Usage);
-        }
-        overrides.insert(name, value);
-    }
-    Ok(overrides)
+    check_name(name, &parameters, "parameter", file)
 }
 
-fn check_surface(name: &str, documents: &[Document]) -> Result<(), Status> {
+fn check_surface(name: &str, documents: &[Document], file: &Path) -> Result<(), Misuse> {
     let surfaces = names(&documents[..1], |own| match own {
         Declaration::Surface { name, .. } => Some(name.text.as_str()),
         _ => None,
     });
-    if surfaces.contains(&canonical_name(name).as_str()) {
+    check_name(&canonical_name(name), &surfaces, "surface", file)
+}
+
+fn check_name(name: &str, known: &[&str], kind: &str, file: &Path) -> Result<(), Misuse> {
+    if known.contains(&name) {
         return Ok(());
     }
-    let list = if surfaces.is_empty() {
+    let list = if known.is_empty() {
         "the file has none".to_owned()
     } else {
-        format!("there are: {}", surfaces.join(", "))
+        format!("there are: {}", known.join(", "))
     };
-    complain(&format!("`{name}` is not a surface; {list}"));
-    Err(Status::Usage)
+    Err(Misuse(format!(
+        "`{name}` is not a {kind} of `{}`; {list}",
+        file.display()
+    )))
 }
 
 fn names<'a>(

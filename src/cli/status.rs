@@ -2,6 +2,9 @@ use std::process::ExitCode;
 
 use crate::diag::{Diagnostics, Severity};
 
+/// The exit status of a run that was asked to end.
+pub(super) const INTERRUPTED: u8 = 130;
+
 /// How a run ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Status {
@@ -17,6 +20,8 @@ pub(super) enum Status {
     Limit,
     /// A defect of the program.
     Internal,
+    /// The run was asked to end.
+    Interrupted,
 }
 
 impl Status {
@@ -50,6 +55,7 @@ impl From<Status> for ExitCode {
             Status::File => 3,
             Status::Limit => 4,
             Status::Internal => 70,
+            Status::Interrupted => INTERRUPTED,
         })
     }
 }

@@ -4,10 +4,13 @@ use std::time::{Duration, Instant};
 
 use crate::diag::Code;
 
-use super::session::{complain, print_hint};
+use super::interrupt::Interrupt;
+use super::progress;
 use super::status::Status;
+use super::streams::complain;
+use super::voice::Voice;
 
-/// How often memory is looked at.
+/// How often memory and signals are looked at.
 const INTERVAL: Duration = Duration::from_millis(50);
 
 /// What a run may take.
@@ -17,10 +20,16 @@ pub(super) struct Budget {
     pub(super) mebibytes: u64,
 }
 
-/// Waits for the work to end, but no longer than the budget allows; none if the work broke off.
+/// Waits for the work to end, but no longer than the budget allows and the user wants; none if the
+/// work broke off.
 ///
 /// Memory is watched where the system tells how much a process holds.
-pub(super) fn watch(done: &Receiver<Status>, budget: Budget) -> Option<Status> {
+pub(super) fn watch(
+    done: &Receiver<Status>,
+    budget: Budget,
+    interrupt: &Interrupt,
+    voice: Voice,
+) -> Option<Status> {
     let start = Instant::now();
     let most = Duration::from_secs(budget.seconds);
     loop {
@@ -28,6 +37,12 @@ pub(super) fn watch(done: &Receiver<Status>, budget: Budget) -> Option<Status> {
             Ok(status) => return Some(status),
             Err(RecvTimeoutError::Disconnected) => return None,
             Err(RecvTimeoutError::Timeout) => {}
+        }
+        if interrupt.is_asked() {
+            return Some(Status::Interrupted);
+        }
+        if !voice.is_quiet {
+            progress::show(start.elapsed());
         }
         let excess = if start.elapsed() >= most {
             format!(
@@ -43,7 +58,7 @@ pub(super) fn watch(done: &Receiver<Status>, budget: Budget) -> Option<Status> {
             continue;
         };
         complain(&format!("error[{}]: this takes {excess}", Code::E0508));
-        print_hint(&BTreeSet::from([Code::E0508]));
+        voice.tell_hint(&BTreeSet::from([Code::E0508]));
         return Some(Status::Limit);
     }
 }

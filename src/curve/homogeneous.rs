@@ -46,16 +46,14 @@ impl Homogeneous {
         })
     }
 
-    /// The first zero on an interval that all four coordinates share.
+    /// The zeros on an interval that all four coordinates share.
     #[must_use]
-    pub fn common_zero(&self, domain: &Interval) -> Option<RealRoot<Real>> {
+    pub fn common_zeros(&self, domain: &Interval) -> Vec<RealRoot<Real>> {
         let common = gcd_all(std::iter::once(&self.weight).chain(&self.coordinates));
         if common.is_constant() {
-            return None;
+            return Vec::new();
         }
         real_roots(&common, domain.start(), domain.end())
-            .into_iter()
-            .next()
     }
 
     /// The same curve without the common factor of w, x, y, z.

@@ -2,6 +2,7 @@
 //!
 //! This floor imports nothing of ours. It knows text and places, not mathematics.
 
+mod clipped;
 mod code;
 mod diagnostic;
 mod limits;

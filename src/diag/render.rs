@@ -1,6 +1,9 @@
+use std::borrow::Cow;
+
 use annotate_snippets::{AnnotationKind, Group, Level, Patch, Renderer, Snippet};
 use serde::Serialize;
 
+use super::clipped::clipped;
 use super::{Diagnostic, Severity, SourceMap, Span};
 
 /// How findings are drawn on a terminal.
@@ -21,40 +24,41 @@ pub fn render_text(diagnostic: &Diagnostic, sources: &SourceMap, style: Style) -
         Severity::Warning => Level::WARNING,
     };
     let title = level
-        .primary_title(diagnostic.message.as_str())
+        .primary_title(clipped(&diagnostic.message))
         .id(diagnostic.code.as_str());
     let mut main = Group::with_title(title);
     if let Some(primary) = diagnostic.primary {
         for (file, marks) in marks_by_file(diagnostic, primary) {
             let source = sources.file(file);
-            let mut snippet = Snippet::source(source.text.as_str()).path(source.name.as_str());
+            let text = with_line_feeds(&source.text);
+            let mut snippet = Snippet::source(text).path(source.name.as_str());
             for (span, kind, label) in marks {
                 let range = visible(span, &source.text);
                 let mark = kind.span(range);
                 snippet = snippet.annotation(if label.is_empty() {
                     mark
                 } else {
-                    mark.label(label)
+                    mark.label(clipped(label))
                 });
             }
             main = main.element(snippet);
         }
     }
     for note in &diagnostic.notes {
-        main = main.element(Level::NOTE.message(note.as_str()));
+        main = main.element(Level::NOTE.message(clipped(note)));
     }
     let mut groups = Vec::new();
     match (&diagnostic.fix, &diagnostic.help) {
         (Some(fix), help) => {
             let text = &sources.file(fix.span.file).text;
             let patch = Patch::new(visible(fix.span, text), fix.text.as_str());
-            let title = help.as_deref().unwrap_or("write");
+            let title = clipped(help.as_deref().unwrap_or("write"));
             groups.push(
                 Group::with_title(Level::HELP.secondary_title(title))
-                    .element(Snippet::source(text.as_str()).patch(patch)),
+                    .element(Snippet::source(with_line_feeds(text)).patch(patch)),
             );
         }
-        (None, Some(help)) => main = main.element(Level::HELP.message(help.as_str())),
+        (None, Some(help)) => main = main.element(Level::HELP.message(clipped(help))),
         (None, None) => {}
     }
     groups.insert(0, main);
@@ -65,6 +69,26 @@ pub fn render_text(diagnostic: &Diagnostic, sources: &SourceMap, style: Style) -
     let mut text = renderer.render(&groups).to_string();
     text.push('\n');
     text
+}
+
+/// The text with a line feed for every CR that ends a line alone, byte for byte as long.
+fn with_line_feeds(text: &str) -> Cow<'_, str> {
+    let is_lone = |(at, _): &(usize, &str)| text.as_bytes().get(at + 1) != Some(&b'\n');
+    if !text.match_indices('\r').any(|own| is_lone(&own)) {
+        return Cow::Borrowed(text);
+    }
+    let mut shown = String::with_capacity(text.len());
+    for line in text.split_inclusive('\r') {
+        let ended = shown.len() + line.len();
+        match line.strip_suffix('\r') {
+            Some(rest) if text.as_bytes().get(ended) != Some(&b'\n') => {
+                shown.push_str(rest);
+                shown.push('\n');
+            }
+            _ => shown.push_str(line),
+        }
+    }
+    Cow::Owned(shown)
 }
 
 type Mark<'a> = (Span, AnnotationKind, &'a str);
@@ -143,13 +167,14 @@ pub fn render_json(diagnostic: &Diagnostic, sources: &SourceMap) -> String {
     let label = (!diagnostic.label.is_empty()).then(|| diagnostic.label.clone());
     let notes = label.into_iter().chain(related);
     let notes = notes.chain(diagnostic.notes.iter().chain(&diagnostic.help).cloned());
+    let notes = notes.map(|own| clipped(&own).into_owned());
     let object = JsonDiagnostic {
         code: diagnostic.code.as_str(),
         severity: match diagnostic.severity() {
             Severity::Error => "error",
             Severity::Warning => "warning",
         },
-        message: &diagnostic.message,
+        message: &clipped(&diagnostic.message),
         file: diagnostic
             .primary
             .map(|span| sources.file(span.file).name.as_str()),

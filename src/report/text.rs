@@ -135,6 +135,7 @@ pub(super) fn facts(surface: &SurfaceReport) -> Vec<(&'static str, String)> {
         ("poles", poles),
         ("regular", regular),
         ("rational offset", offset),
+        ("crosses itself", "not decided".to_owned()),
     ];
     field.chain(facts).collect()
 }
@@ -184,6 +185,9 @@ fn weights(surface: &SurfaceReport) -> String {
     };
     match &surface.remarks.weights {
         Some((min, max)) if min == max => format!("all {min}"),
+        Some((min, max)) if !surface.weights.positive && surface.poles.is_empty() => {
+            format!("{sign}, from {min} to {max}: in this form only, W is positive on the domain")
+        }
         Some((min, max)) => format!("{sign}, from {min} to {max}"),
         None => "the first weight is 0".to_owned(),
     }

@@ -269,14 +269,21 @@ impl<'a> Lowerer<'a> {
         if position.is_polynomial() {
             return;
         }
-        if let Some(root) = position.common_zero(domain) {
-            let message = format!(
-                "numerators and denominator of `{}` are all zero at {}",
-                name.text,
-                root.place(&parameter.to_string())
-            );
-            let finding = Diagnostic::new(Code::W1004, name.span, message);
-            self.report(finding.note("the common factor cancels, the curve is sound there"));
+        let roots = position.common_zeros(domain);
+        if roots.is_empty() {
+            return;
         }
+        for root in &roots {
+            let bounds = (root.lower().clone(), root.upper().clone());
+            self.shared_zeros.push((parameter, bounds));
+        }
+        let places = roots.iter().map(|own| own.place(&parameter.to_string()));
+        let message = format!(
+            "numerators and denominator of `{}` are all zero at {}",
+            name.text,
+            places.collect::<Vec<_>>().join(", ")
+        );
+        let finding = Diagnostic::new(Code::W1004, name.span, message);
+        self.report(finding.note("the common factor cancels, the curve is sound there"));
     }
 }

@@ -4,7 +4,7 @@ use std::rc::Rc;
 use crate::curve::{Curve, Parameter};
 use crate::diag::{Code, Diagnostic, Diagnostics, FileId, Limits, SourceMap, Span};
 use crate::number::{Real, Tower, Unit};
-use crate::sweep::SweptSurface;
+use crate::sweep::{Scalar, SweptSurface};
 use crate::syntax::ast::{Declaration, Document, Expr, Item, Name, Role};
 
 use super::Program;
@@ -79,6 +79,8 @@ pub(super) struct Lowerer<'a> {
     pub(super) mentioned: Vec<String>,
     /// Curves whose cusps have been reported.
     pub(super) cusps_reported: Vec<String>,
+    /// Shared zeros and cusps of curves.
+    pub(super) shared_zeros: Vec<(Parameter, (Real, Real))>,
     /// Names whose declarations could not be parsed; their uses are not reported.
     pub(super) broken: Vec<&'a str>,
 }
@@ -95,6 +97,7 @@ impl<'a> Lowerer<'a> {
             depth: 0,
             mentioned: Vec::new(),
             cusps_reported: Vec::new(),
+            shared_zeros: Vec::new(),
             broken: sources
                 .documents
                 .iter()
@@ -268,6 +271,7 @@ impl<'a> Lowerer<'a> {
                 }
             }
         }
+        program.shared_zeros = std::mem::take(&mut self.shared_zeros);
         program
     }
 
@@ -386,7 +390,7 @@ impl<'a> Lowerer<'a> {
             DefinitionForm::Constant { value, is_param } => {
                 let given = self.sources.overrides.get(&definition.name.text);
                 if let (Some(given), true) = (given, is_param) {
-                    let number = crate::sweep::Scalar::constant(value.span, given.clone());
+                    let number = Scalar::constant(value.span, given.clone());
                     return Ok(Meaning::Constant(Value::Scalar(number)));
                 }
                 self.constant(value).map(Meaning::Constant)
@@ -413,9 +417,15 @@ impl<'a> Lowerer<'a> {
             .iter()
             .map(|own| self.number(own, &Scope::constant()))
             .collect::<Lowered<Vec<Real>>>()?;
+        let limit = self.sources.limits.bits;
+        if numbers.iter().any(|own| own.bits() > limit) {
+            let message = format!("this number has more than {limit} bits");
+            let finding = Diagnostic::new(Code::E0507, value.span, message);
+            return Err(self.report(finding.help("raise the limit with `--max-bits`")));
+        }
         let mut numbers = numbers.into_iter();
         Ok(lowered.map(|own| match numbers.next() {
-            Some(number) => crate::sweep::Scalar::constant(value.span, number),
+            Some(number) => Scalar::constant(value.span, number),
             None => own.clone(),
         }))
     }

@@ -80,6 +80,7 @@ impl<'a> Lowerer<'a> {
                 Part::Rest(expr) => (self.rest(expr, scope), expr.span),
             };
             let joined = value.and_then(|value| self.join(&mut product, op, value, at, scope));
+            product.reach = Some(product.reach.map_or(at, |reach| reach.to(at)));
             if let Err(reported) = joined {
                 failed = Some(reported);
             }
@@ -160,14 +161,18 @@ impl<'a> Lowerer<'a> {
         span: Span,
         scope: &Scope<'a>,
     ) -> Lowered<()> {
-        let site = scope.site(span);
+        let quotient = product.reach.map_or(span, |reach| reach.to(span));
         let value = match (op, value) {
             (ProductOp::Divide, Value::Scalar(own)) => {
                 if own.as_number().is_some_and(crate::number::Field::is_zero) {
-                    let finding = self.finding(scope, Code::E0207, span, "division by zero");
-                    return Err(self.report(finding.label("this is zero")));
+                    let mut finding = self.finding(scope, Code::E0207, span, "division by zero");
+                    finding = finding.label("this is zero");
+                    if scope.frame.is_none() {
+                        finding = finding.related(quotient, "in this quotient");
+                    }
+                    return Err(self.report(finding));
                 }
-                Value::Scalar(Scalar::power(site, own, -1))
+                Value::Scalar(Scalar::power(scope.site(quotient), own, -1))
             }
             (ProductOp::Divide, other) => {
                 let message = format!("one cannot divide by {}", other.type_name());
@@ -204,6 +209,8 @@ impl<'a> Lowerer<'a> {
 /// A product under way: scalars, and at most one factor of another type.
 struct Product {
     span: Span,
+    /// Where its factors so far stand.
+    reach: Option<Span>,
     scalars: Vec<Scalar>,
     other: Option<Value>,
 }
@@ -212,6 +219,7 @@ impl Product {
     fn new(span: Span) -> Self {
         Self {
             span,
+            reach: None,
             scalars: Vec::new(),
             other: None,
         }

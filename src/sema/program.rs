@@ -1,7 +1,7 @@
 use std::rc::Rc;
 
-use crate::curve::Curve;
-use crate::number::{Tower, Unit};
+use crate::curve::{Curve, Parameter};
+use crate::number::{Real, Tower, Unit};
 use crate::sweep::{Expectation, SweptSurface};
 
 /// What a file asks for: surfaces, and claims about them.
@@ -17,6 +17,9 @@ pub struct Program {
     pub surfaces: Vec<SweptSurface>,
     /// The expectations of the root file.
     pub expectations: Vec<Expectation>,
+    /// Zeros that numerators and denominators of curves share, and cusps, which have been told of
+    /// the curves: bounds in the curve's parameter.
+    pub shared_zeros: Vec<(Parameter, (Real, Real))>,
     /// Whether the root file declares a surface at all, sound or not.
     pub declares_surfaces: bool,
 }

@@ -244,6 +244,10 @@ impl<'a> Lowerer<'a> {
         if cusps.is_empty() {
             return;
         }
+        for cusp in &cusps {
+            let bounds = (cusp.lower().clone(), cusp.upper().clone());
+            self.shared_zeros.push((curve.parameter(), bounds));
+        }
         let places: Vec<String> = cusps
             .iter()
             .map(|own| own.place(&curve.parameter().to_string()))

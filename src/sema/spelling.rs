@@ -65,6 +65,9 @@ pub(super) fn unit_meant(word: &str) -> Option<&'static str> {
     known.next().or(by_name.map(|(_, unit)| *unit))
 }
 
+/// The longest word that is taken for a misspelt one.
+const LONGEST: usize = 64;
+
 /// The nearest of some words, if it is near: no more than a third of the letters differ, and
 /// something of it remains.
 ///
@@ -74,8 +77,8 @@ pub(super) fn nearest<T: AsRef<str> + Ord>(
     known: impl Iterator<Item = T>,
 ) -> Option<T> {
     let limit = match word.chars().count() {
-        0 | 1 => return None,
-        length => length.div_ceil(3),
+        length @ 2..=LONGEST => length.div_ceil(3),
+        _ => return None,
     };
     known
         .filter(|own| own.as_ref() != word && own.as_ref().chars().count() > 1)

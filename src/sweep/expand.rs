@@ -224,10 +224,17 @@ fn in_parameter(function: &PropertyFunction, parameter: Parameter) -> Option<Fra
 }
 
 fn division_by_zero(expression: &Scalar) -> Box<Diagnostic> {
-    Box::new(
-        Diagnostic::new(Code::E0207, expression.span(), "division by zero")
-            .label("this is zero for all parameters, or where it is evaluated"),
-    )
+    let zero = match expression.form() {
+        Form::Power(base, _) => base.span(),
+        _ => expression.span(),
+    };
+    let finding = Diagnostic::new(Code::E0207, zero, "division by zero")
+        .label("this is zero for all parameters, or where it is evaluated");
+    Box::new(if zero == expression.span() {
+        finding
+    } else {
+        finding.related(expression.span(), "in this quotient")
+    })
 }
 
 fn normal_finding(fault: &NormalFault, expression: &Scalar) -> Box<Diagnostic> {
