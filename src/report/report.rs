@@ -36,7 +36,8 @@ impl Report {
         surfaces: &[(&Checked, Vec<(&Judgement, usize)>)],
         curves: &[Rc<Curve>],
     ) -> Self {
-        let curves = || curves.iter().filter(|own| own.is_measured());
+        let used = |own: &&Rc<Curve>| own.is_measured() && !surfaces.is_empty();
+        let curves = || curves.iter().filter(used);
         let lengths: Vec<Real> = curves().filter_map(|own| arc_length(own)).collect();
         let basis = surfaces.iter().map(|(surface, _)| basis(surface)).fold(
             Basis::of(lengths.iter().map(Real::numerator)),

@@ -118,11 +118,14 @@ fn number_on_the_right(input: Stream<'_>) -> Diagnostic {
         "write `* {}`, or put the number first",
         number.trim_matches('`')
     ));
-    match input.source.is_in_list(input.at) {
-        // there, a comma may be missing as well
-        true => finding,
-        false => finding.fix(start_of(input.span()), "* "),
+    // In a list a comma may be missing as well, and a name that begins its line may be meant as a
+    // keyword.
+    let begins =
+        previous.kind == TokenKind::Name && input.at > 0 && input.source.begins_line(input.at - 1);
+    if begins || input.source.is_in_list(input.at) {
+        return finding;
     }
+    finding.fix(start_of(input.span()), "* ")
 }
 
 /// E0008: `0 x` and `0x1F`, which is how other languages write a number.
