@@ -99,6 +99,74 @@ fn mirror_images_are_a_tie() {
     assert_eq!(mirrored["bending_energy"], report["bending_energy"]);
 }
 
+/// The branch that is best for data on a domain.
+fn best(data: &str, domain: &str) -> String {
+    let text =
+        format!("sweep c(v) in xy on {domain} = ph_hermite({data})\nsurface R = c(v) + u k\n");
+    let report = interpolant(&text);
+    report["branch"].as_str().unwrap().to_owned()
+}
+
+#[test]
+fn the_best_branch_turns_least_at_every_scale() {
+    // nearly a straight line: the first comparison needs more digits than it starts with
+    for last in ["(-1, 1e-8)", "(-1, 1e-10)"] {
+        assert_eq!(
+            best(&format!("(0, 0), (1, 0), (3, 0), {last}"), "[0, 1]"),
+            "++"
+        );
+    }
+    assert_eq!(best("(0, 0), (1, 0), (1, 1), (0, 1)", "[0, 1]"), "++");
+    assert_eq!(
+        best("(0, 0), (1e5, 0), (1, 1), (0, 1e5)", "[0, 1e-5]"),
+        "++"
+    );
+    assert_eq!(
+        best("(0, 0), (1e-9, 0), (1, 1), (0, 1e-9)", "[0, 1e9]"),
+        "++"
+    );
+    // ++ and +- turn by the same angle, without being images of each other, but more than -+
+    assert_eq!(best("(0, 0), (5, 1), (0, 0), (-4, 3)", "[0, 1]"), "-+");
+    // an end that almost stands still
+    for small in ["1e-9", "1e-40"] {
+        best(&format!("(0, 0), (1, 0), (1, 1), (0, {small})"), "[0, 1]");
+    }
+}
+
+#[test]
+fn energies_are_known_at_every_scale() {
+    let energy = |data: &str, domain: &str| {
+        let text =
+            format!("sweep c(v) in xy on {domain} = ph_hermite({data})\nsurface R = c(v) + u k\n");
+        interpolant(&text)["bending_energy"]
+            .as_str()
+            .unwrap()
+            .to_owned()
+    };
+    // lengths times 10⁶⁰ divide the energy by as much
+    let [unit, large] = ["1", "1e60"].map(|own| {
+        energy(
+            &format!("(0, 0), ({own}, 0), ({own}, {own}), (0, {own})"),
+            "[0, 1]",
+        )
+    });
+    assert_eq!(format!("{unit}e-60"), large);
+    for (data, domain) in [
+        ("(0, 0), (1, 0), (1, 1e-4), (1, 0)", "[0, 1]"),
+        ("(0, 0), (1, 0), (1000, 500), (0, 1)", "[0, 1]"),
+        ("(0, 0), (1, 0), (1000, 1000), (0, 1)", "[0, 1000]"),
+        ("(0, 0), (1e12, 0), (1, 1), (0, 1e12)", "[0, 1]"),
+        ("(0, 0), (1e-12, 0), (1e-12, 1e-12), (0, 1e-12)", "[0, 1]"),
+    ] {
+        let found = energy(data, domain);
+        assert!(
+            found.starts_with(|own: char| own.is_ascii_digit()),
+            "{data}: {found}"
+        );
+        assert_ne!(found, "0", "{data}");
+    }
+}
+
 #[test]
 fn wrong_data_are_refused() {
     let curve =

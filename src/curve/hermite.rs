@@ -3,8 +3,8 @@
 
 use std::cmp::Ordering;
 
-use crate::number::{Complex, Enclosure, Real, RootFault, Tower};
-use crate::poly::from_bernstein;
+use crate::number::{Complex, Enclosure, Field, Rational, Real, RootFault, Tower};
+use crate::poly::{from_bernstein, sign_change};
 
 use super::{Interval, Preimage, rotation_index};
 
@@ -141,12 +141,12 @@ impl HermiteData {
     /// The branch of least absolute rotation index among those without a cusp on the domain, or,
     /// if all have one, among all.
     ///
-    /// Equal indices are recognised where one curve is the other turned, mirrored or run backwards,
-    /// and where both are straight; all others are told apart by enclosures.
+    /// Enclosures at growing precisions leave fewer and fewer branches, until one is left or those
+    /// that are left are known to be equal; of these the first is taken.
     ///
     /// # Errors
     ///
-    /// In words, two branches whose indices agree to more digits than the search goes.
+    /// In words, branches whose indices are too close to be told apart.
     pub fn best(&self, domain: &Interval, tower: &Tower) -> Result<(Branch, Choice), String> {
         let scratch = tower.scratch();
         let mut candidates = Vec::with_capacity(Branch::ALL.len());
@@ -159,19 +159,50 @@ impl HermiteData {
         if candidates.iter().any(|own| !own.cusp) {
             candidates.retain(|own| !own.cusp);
         }
-        let mut candidates = candidates.into_iter();
-        let Some(mut best) = candidates.next() else {
-            return Err("there is no branch".to_owned());
-        };
-        let mut choice = Choice::LeastRotation;
-        for mut other in candidates {
-            match best.compare(&mut other, domain)? {
-                Ordering::Less => {}
-                Ordering::Equal => choice = Choice::FirstOfEqual,
-                Ordering::Greater => (best, choice) = (other, Choice::LeastRotation),
+        for doubling in 0..DOUBLINGS {
+            let uppers = candidates.iter().map(|own| own.index.ends()[1].clone());
+            let least = uppers.min().unwrap_or_else(Rational::zero);
+            candidates.retain(|own| own.index.ends()[0] <= least);
+            if let Some((first, rest)) = candidates.split_first()
+                && rest.iter().all(|own| self.is_tie(first, own, domain))
+            {
+                let choice = match rest {
+                    [] => Choice::LeastRotation,
+                    _ => Choice::FirstOfEqual,
+                };
+                return Ok((first.branch, choice));
+            }
+            for own in &mut candidates {
+                own.index = rotation_index(&own.preimage, domain, START << (doubling + 1));
             }
         }
-        Ok((best.branch, choice))
+        let words: Vec<&str> = candidates.iter().map(|own| own.branch.word()).collect();
+        Err(format!(
+            "which branch is best is not decided: the rotation indices of {} are too close, name one",
+            words.join(" and ")
+        ))
+    }
+
+    /// Whether two branches are known to have the same absolute rotation index.
+    ///
+    /// They have if one curve is the other turned, mirrored or run backwards, and if both are
+    /// straight. The indices of two branches without inflections differ by an integer if both turn
+    /// the same way, and if the end derivatives are parallel they are multiples of 1/2: then they
+    /// are equal if they differ by less than 1/4.
+    fn is_tie(&self, one: &Candidate, other: &Candidate, domain: &Interval) -> bool {
+        if one.solution.is_image_of(&other.solution) {
+            return true;
+        }
+        let (Some(left), Some(right)) = (one.sense(domain), other.sense(domain)) else {
+            return false;
+        };
+        let ends = self.last.times(&self.first.conjugate());
+        let quarter = Rational::new(1.into(), 4.into());
+        let apart = one.index.minus(&other.index).absolute();
+        (left.is_eq() && right.is_eq())
+            || (!ends.is_zero()
+                && (left == right || ends.imaginary.is_zero())
+                && apart.ends()[1] < quarter)
     }
 }
 
@@ -228,9 +259,10 @@ struct Candidate {
     index: Enclosure,
 }
 
-/// The precisions, in bits, to which indices are compared first and at most.
+/// The precision, in bits, to which indices are compared first.
 const START: u32 = 32;
-const PRECISION: u32 = 1_024;
+/// How often the precision is doubled.
+const DOUBLINGS: u32 = 6;
 
 impl Candidate {
     fn new(branch: Branch, solution: Solution, domain: &Interval) -> Self {
@@ -244,28 +276,18 @@ impl Candidate {
         }
     }
 
-    fn compare(&mut self, other: &mut Self, domain: &Interval) -> Result<Ordering, String> {
-        loop {
-            if let Some(order) = self.index.minus(&other.index).sign()
-                && order.is_ne()
-            {
-                return Ok(order);
-            }
-            let straight = |own: &Self| own.preimage.turning().is_zero();
-            if self.solution.is_image_of(&other.solution) || (straight(self) && straight(other)) {
-                return Ok(Ordering::Equal);
-            }
-            let precision = self.index.precision() * 2;
-            if precision > PRECISION {
-                return Err(format!(
-                    "the rotation indices of the branches `{}` and `{}` agree to 300 digits: which of them is best is not decided, name one",
-                    self.branch.word(),
-                    other.branch.word()
-                ));
-            }
-            for own in [&mut *self, &mut *other] {
-                own.index = rotation_index(&own.preimage, domain, precision);
-            }
+    /// Which way the curve turns, if it has no inflection inside the domain: equal for a straight
+    /// line.
+    fn sense(&self, domain: &Interval) -> Option<Ordering> {
+        let turning = self.preimage.turning();
+        if turning.is_zero() {
+            return Some(Ordering::Equal);
         }
+        if sign_change(&turning, domain.start(), domain.end()).is_some() {
+            return None;
+        }
+        let pieces = i64::try_from(turning.numerators().len() + 1).ok()?;
+        let at = |piece| turning.evaluate(&domain.fraction(piece, pieces)).sign();
+        (1..pieces).map(at).find(|sign| sign.is_ne())
     }
 }

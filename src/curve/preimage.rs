@@ -1,5 +1,5 @@
 use crate::number::{Complex, Real, RootFault, Tower};
-use crate::poly::{UniPoly, gcd, real_roots};
+use crate::poly::{UniPoly, bernstein, gcd, real_roots};
 
 use super::Interval;
 
@@ -92,10 +92,29 @@ impl Preimage {
         )
     }
 
+    /// The same directions on [0, 1], ω scaled by a power of two so that the largest Bernstein
+    /// coefficient of its parts is about 1; and that power: ω = 2ᵏ ω̂.
+    #[must_use]
+    pub fn normalised(&self, domain: &Interval) -> (Self, i64) {
+        let parts = self
+            .parts()
+            .map(|own| own.restrict(domain.start(), domain.end()));
+        let exponent = parts.iter().filter_map(magnitude).max().unwrap_or(0);
+        let [real, imaginary] = parts.map(|own| own.scale(&Real::power_of_two(-exponent)));
+        (Self::new(self.factor.clone(), real, imaginary), exponent)
+    }
+
     /// Whether ω vanishes on the domain: the curve has a cusp there.
     #[must_use]
     pub fn has_cusp(&self, domain: &Interval) -> bool {
         let common = gcd(&self.real, &self.imaginary);
         !common.is_constant() && !real_roots(&common, domain.start(), domain.end()).is_empty()
     }
+}
+
+/// The binary exponent of the largest Bernstein coefficient on [0, 1]; none for 0.
+pub(super) fn magnitude(polynomial: &UniPoly<Real>) -> Option<i64> {
+    let degree = polynomial.degree()?;
+    let coefficients = bernstein(polynomial, degree, &Real::from(0), &Real::from(1));
+    coefficients.iter().filter_map(Real::binade).max()
 }

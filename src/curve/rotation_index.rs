@@ -11,7 +11,8 @@ use super::{Interval, Preimage};
 /// out.
 #[must_use]
 pub fn rotation_index(preimage: &Preimage, domain: &Interval, precision: u32) -> Enclosure {
-    let preimage = preimage.primitive();
+    let (preimage, _) = preimage.primitive().normalised(domain);
+    let (start, end) = (Real::from(0), Real::from(1));
     let turning = preimage.turning();
     let mut total = Enclosure::of_integer(&0.into(), precision);
     if turning.is_zero() {
@@ -19,8 +20,8 @@ pub fn rotation_index(preimage: &Preimage, domain: &Interval, precision: u32) ->
     }
     // There |Δ arg ω| falls with the square of the width.
     let step = Real::ratio(1.into(), Integer::from(1) << precision.div_ceil(2));
-    let mut from = domain.start().clone();
-    for mut root in real_roots(&turning, domain.start(), domain.end()) {
+    let mut from = start.clone();
+    for mut root in real_roots(&turning, &start, &end) {
         root.refine(&step);
         // Inside the isolating interval arg ω turns by less than it can turn on so short a way.
         let gap = Piece::of(&preimage, root.lower(), root.upper(), precision);
@@ -29,13 +30,13 @@ pub fn rotation_index(preimage: &Preimage, domain: &Interval, precision: u32) ->
             .plus(&gap.spread());
         from = root.upper().clone();
     }
-    total = total.plus(&Piece::of(&preimage, &from, domain.end(), precision).angle());
+    total = total.plus(&Piece::of(&preimage, &from, &end, precision).angle());
     let inverse = Enclosure::pi(precision).inverse();
     inverse.map_or_else(|| total.clone(), |inverse| total.times(&inverse))
 }
 
-/// Halvings after which the precision, not the length of the piece, is too small.
-const DEPTH: u32 = 48;
+/// Pieces after which the precision, not the length of the pieces, is too small.
+const PIECES: usize = 512;
 
 /// ω on a piece of the domain: intervals around the Bernstein coefficients of a and b.
 struct Piece {
@@ -63,21 +64,27 @@ impl Piece {
     fn angle(self) -> Enclosure {
         let precision = self.points[0][0].precision();
         let mut total = Enclosure::of_integer(&0.into(), precision);
-        let mut pending = vec![(self, 0)];
-        while let Some((piece, depth)) = pending.pop() {
+        let mut pending = vec![self];
+        for _ in 0..PIECES {
+            let Some(piece) = pending.pop() else {
+                return total;
+            };
             match piece.small_angle() {
                 Some(angle) => total = total.plus(&angle),
-                None if depth == DEPTH => {
-                    let zero = Enclosure::of_integer(&0.into(), precision);
-                    total = total.plus(&zero.hull(&Enclosure::pi(precision)));
-                }
                 None => {
                     let (left, right) = piece.halves();
-                    pending.extend([(right, depth + 1), (left, depth + 1)]);
+                    pending.extend([right, left]);
                 }
             }
         }
-        total
+        // On each piece ω, of degree m, turns by less than mπ.
+        let zero = Enclosure::of_integer(&0.into(), precision);
+        let most = Enclosure::pi(precision);
+        let rest = pending
+            .iter()
+            .flat_map(|own| own.points.iter().skip(1))
+            .fold(zero.clone(), |sum, _| sum.plus(&most));
+        total.plus(&zero.hull(&rest))
     }
 
     /// |arg ω(end) − arg ω(start)| if ω is seen to stay in the half-plane Re(ω̄(start) ω) > 0.

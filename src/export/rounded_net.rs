@@ -140,7 +140,7 @@ impl RoundedNet {
             for j in 0..net.columns() {
                 let earlier = *seen.entry(self.points[i][j]).or_insert((i, j));
                 let (one, other) = (net.point(earlier.0, earlier.1), net.point(i, j));
-                let apart = [0, 1, 2].map(|axis| absolute(&one[axis].minus(&other[axis])));
+                let apart = [0, 1, 2].map(|axis| one[axis].minus(&other[axis]).absolute());
                 let apart = apart.into_iter().max().filter(|own| !own.is_zero());
                 if let Some(apart) = apart {
                     count += 1;
@@ -195,15 +195,6 @@ fn range(exact: &Real) -> [Rational; 2] {
     match exact.as_rational() {
         Some(rational) => [rational.clone(), rational],
         None => exact.enclose(BOUND_BITS).ends(),
-    }
-}
-
-/// |a|
-fn absolute(value: &Real) -> Real {
-    if value.sign().is_lt() {
-        value.negated()
-    } else {
-        value.clone()
     }
 }
 

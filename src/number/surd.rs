@@ -154,6 +154,27 @@ impl Surd {
         self.decide(|own| own.decimal(digits))
     }
 
+    /// About log₂ |a|, to the nearest integers; none for 0.
+    #[must_use]
+    pub fn binade(&self) -> Option<i64> {
+        let bits = |own: &Integer| i64::try_from(own.bits()).unwrap_or(i64::MAX);
+        (!self.is_zero()).then(|| {
+            self.absolute()
+                .decide(|own| bits(own.numerator()) - bits(own.denominator()))
+        })
+    }
+
+    /// 2ᵏ
+    #[must_use]
+    pub fn power_of_two(exponent: i64) -> Self {
+        let power = Integer::from(1) << exponent.unsigned_abs();
+        if exponent < 0 {
+            Self::ratio(1.into(), power)
+        } else {
+            Self::from(power)
+        }
+    }
+
     /// The number for a message: as it is, or, where that is long, its first digits.
     #[must_use]
     pub fn brief(&self) -> String {

@@ -1,9 +1,9 @@
 use serde::Serialize;
 
 use crate::curve::{Choice, Curve, Interpolant, Preimage, bending_energy, rotation_index};
-use crate::number::{Basis, Enclosure, Real};
+use crate::number::{Basis, Field, Integer, Rational, Real};
 
-/// The report of a Pythagorean-hodograph curve whose speed the surfaces use.
+/// The report of a Pythagorean-hodograph curve.
 #[derive(Debug, Clone, Serialize)]
 pub struct CurveReport {
     /// Its name.
@@ -37,9 +37,9 @@ pub(super) struct HermiteReport {
 }
 
 /// Significant digits of an arc length.
-const LENGTH_DIGITS: usize = 30;
+const LENGTH_DIGITS: i64 = 30;
 /// Significant digits of rotation index and bending energy.
-const DIGITS: usize = 10;
+const DIGITS: i64 = 10;
 
 /// The arc length of a curve, if it is rational; it may need a generator of its own.
 pub(super) fn arc_length(curve: &Curve) -> Option<Real> {
@@ -50,7 +50,7 @@ impl CurveReport {
     pub(super) fn of(curve: &Curve, basis: &Basis) -> Self {
         let length = arc_length(curve).map(|length| LengthReport {
             exact: basis.spell(&length),
-            decimal: significant(LENGTH_DIGITS, |digits| Some(length.decimal(digits))),
+            decimal: length.decide(|own| significant(own, LENGTH_DIGITS)),
             readable: basis.readable(&length),
         });
         let hermite = curve.preimage().zip(curve.interpolant());
@@ -73,38 +73,84 @@ impl HermiteReport {
                 Choice::LeastRotation => "least absolute rotation index",
                 Choice::FirstOfEqual => "first of those with the least absolute rotation index",
             },
-            rotation_index: digits(&|bits| Some(rotation_index(preimage, domain, bits))),
+            rotation_index: digits(&|bits| Some(rotation_index(preimage, domain, bits).ends())),
             bending_energy: (!preimage.has_cusp(domain)).then(|| digits(&energy)),
         }
     }
 }
 
-/// The first digits of a number that is enclosed at growing precisions.
-fn digits(enclose: &impl Fn(u32) -> Option<Enclosure>) -> String {
-    let known = [38, 76, 152].into_iter().map(enclose);
-    let mut texts = known.flatten().filter_map(|own| {
-        let text = significant(DIGITS, |digits| own.decimal(digits));
-        (!text.is_empty()).then_some(text)
+/// The first digits of a number that is bounded ever more narrowly.
+fn digits(bounds: &impl Fn(u32) -> Option<[Rational; 2]>) -> String {
+    let known = [38, 76, 152, 304].into_iter().filter_map(bounds);
+    let mut texts = known.filter_map(|[lower, upper]| {
+        let text = significant(&lower, DIGITS);
+        (text == significant(&upper, DIGITS)).then_some(text)
     });
     texts.next().unwrap_or_else(|| "not known".to_owned())
 }
 
-/// A decimal with so many significant digits, without zeros at its end; empty if it has none.
-fn significant(count: usize, decimal: impl Fn(u32) -> Option<String>) -> String {
-    let places = |digits: usize| u32::try_from(digits).unwrap_or_default();
-    let Some(whole) = decimal(0).or_else(|| decimal(1)) else {
-        return String::new();
+/// A number that is not negative to so many significant digits, without zeros at its end:
+/// `0.25`, `1.5e-60`.
+fn significant(value: &Rational, count: i64) -> String {
+    if value.is_zero() {
+        return "0".to_owned();
+    }
+    let ten = |exponent: i64| {
+        Rational::from(10)
+            .power(exponent)
+            .unwrap_or_else(Rational::one)
     };
-    let whole = whole
-        .trim_start_matches('-')
-        .split('.')
-        .next()
-        .map_or(1, str::len);
-    let Some(text) = decimal(places(count.saturating_sub(whole))) else {
-        return String::new();
+    // 10^e ≤ value < 10^(e + 1), from the length of the quotient by a few corrections
+    let length = |own: &Integer| i64::try_from(own.bits()).unwrap_or(i64::MAX);
+    let bits = length(value.numerator()) - length(value.denominator());
+    let mut exponent = bits * 30_103 / 100_000 - 1;
+    while ten(exponent + 1) <= *value {
+        exponent += 1;
+    }
+    let digits = |exponent: i64| {
+        let places = u32::try_from(count - 1).unwrap_or_default();
+        (value / &ten(exponent)).decimal(places)
     };
+    let mut text = digits(exponent);
+    if text.starts_with("10") {
+        exponent += 1;
+        text = digits(exponent);
+    }
+    if (-5..count).contains(&exponent) {
+        let places = u32::try_from(count - 1 - exponent).unwrap_or_default();
+        return trimmed(&value.decimal(places));
+    }
+    format!("{}e{exponent}", trimmed(&text))
+}
+
+fn trimmed(text: &str) -> String {
     if !text.contains('.') {
-        return text;
+        return text.to_owned();
     }
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn digits_count_from_the_first_that_is_not_zero() {
+        let read = |text: &str| {
+            text.parse::<Rational>()
+                .unwrap_or_else(|()| Rational::from(0))
+        };
+        for (value, text) in [
+            ("1/4", "0.25"),
+            ("1/3", "0.3333333333"),
+            ("2000/3", "666.6666667"),
+            ("1e12", "1e12"),
+            ("123456e-30", "1.23456e-25"),
+            ("0.00012345678999", "0.00012345679"),
+            ("0.99999999999", "1"),
+            ("0", "0"),
+        ] {
+            assert_eq!(significant(&read(value), DIGITS), text, "{value}");
+        }
+    }
 }

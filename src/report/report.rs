@@ -18,7 +18,8 @@ pub struct Report {
     pub(super) field: Vec<Generator>,
     /// One report for each surface.
     pub surfaces: Vec<SurfaceReport>,
-    /// One report for each Pythagorean-hodograph curve whose speed the surfaces use.
+    /// One report for each Hermite interpolant, and for each other Pythagorean-hodograph curve whose
+    /// speed the file needs.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub curves: Vec<CurveReport>,
     /// The unit of length.
@@ -36,7 +37,8 @@ impl Report {
         surfaces: &[(&Checked, Vec<(&Judgement, usize)>)],
         curves: &[Rc<Curve>],
     ) -> Self {
-        let used = |own: &&Rc<Curve>| own.is_measured() && !surfaces.is_empty();
+        let told = |own: &Curve| own.is_measured() || own.interpolant().is_some();
+        let used = |own: &&Rc<Curve>| told(own) && !surfaces.is_empty();
         let curves = || curves.iter().filter(used);
         let lengths: Vec<Real> = curves().filter_map(|own| arc_length(own)).collect();
         let basis = surfaces.iter().map(|(surface, _)| basis(surface)).fold(

@@ -1,4 +1,5 @@
 use crate::diag::{Code, Span};
+use crate::number::Real;
 use crate::sweep::Scalar;
 use crate::syntax::ast::{Argument, Expr, ExprKind, Name, ProductOp, Reference};
 
@@ -15,6 +16,8 @@ enum Part<'a> {
     /// The parenthesis of `NAME (…)` where that is a product, with the powers and components
     /// that are written behind it.
     Rest(&'a Expr),
+    /// The sign of `-NAME (…)` where that is a product: it belongs to the name.
+    Sign(Span),
 }
 
 /// One factor on its own.
@@ -78,6 +81,10 @@ impl<'a> Lowerer<'a> {
                 Part::Expr(expr) => (self.value(expr, scope), expr.span),
                 Part::Name(reference) => (self.reference(reference, scope), reference.span),
                 Part::Rest(expr) => (self.rest(expr, scope), expr.span),
+                Part::Sign(span) => {
+                    let minus = Scalar::constant(scope.site(span), Real::from(-1));
+                    (Ok(Value::Scalar(minus)), span)
+                }
             };
             let joined = value.and_then(|value| self.join(&mut product, op, value, at, scope));
             product.reach = Some(product.reach.map_or(at, |reach| reach.to(at)));
@@ -91,6 +98,14 @@ impl<'a> Lowerer<'a> {
         }
     }
 
+    /// Whether a factor, after its signs, begins with a `NAME (…)` that is a product.
+    fn leads_product(&self, expr: &Expr, scope: &Scope<'a>) -> bool {
+        match &expr.kind {
+            ExprKind::Negate(inner) => self.leads_product(inner, scope),
+            _ => !self.is_application(expr, scope),
+        }
+    }
+
     fn push_parts(
         &self,
         op: ProductOp,
@@ -98,6 +113,12 @@ impl<'a> Lowerer<'a> {
         scope: &Scope<'a>,
         parts: &mut Vec<(ProductOp, Part<'a>)>,
     ) {
+        if let ExprKind::Negate(inner) = &expr.kind
+            && self.leads_product(inner, scope)
+        {
+            parts.push((ProductOp::Times, Part::Sign(expr.span)));
+            return self.push_parts(op, inner, scope, parts);
+        }
         match split(expr) {
             Some((function, _)) if !self.applies(function, scope) => {
                 parts.push((op, Part::Name(function)));

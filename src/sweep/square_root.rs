@@ -71,7 +71,7 @@ fn no_root(radicand: &Real, fault: &RootFault, span: Span) -> Diagnostic {
     match fault {
         RootFault::Negative => {
             Diagnostic::new(Code::E0210, span, "the square root of a negative number")
-                .note(format!("the number is {}", radicand.brief()))
+                .note(format!("it is {} times a square", radicand.brief()))
         }
         RootFault::DegreeLimit { limit } => {
             let message = format!(

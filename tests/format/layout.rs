@@ -41,7 +41,7 @@ fn a_star_is_written_where_a_name_multiplies_a_parenthesis() {
         ("let q(u) = 1/u(1 - u)", "let q(u) = 1 / u * (1 - u)"),
         ("let q(u) = 2 * -u(1 - u)", "let q(u) = 2 * -u * (1 - u)"),
         // divides by the whole
-        ("let q(u) = 2 / -u(1 - u)", "let q(u) = 2 / -u(1 - u)"),
+        ("let q(u) = 2 / -u(1 - u)", "let q(u) = 2 / -u * (1 - u)"),
         ("let q(u) = i (u).x", "let q(u) = i * (u).x"),
         ("let q(u) = x (u)", "let q(u) = x(u)"),
         ("let q(u) = turn (u)", "let q(u) = turn(u)"),

@@ -32,7 +32,9 @@ fn build(arguments: &Arguments, setting: &Setting<'_>) -> Result<Coordinates, Bu
     let other = dot(&last, &last);
     if square != other {
         return Err(BuildFault::Malformed(format!(
-            "start and end differ in their distance from the center: the squares are {square} and {other}"
+            "start and end differ in their distance from the center: the squares are {} and {}",
+            square.brief(),
+            other.brief()
         )));
     }
     let cosine = dot(&first, &last);

@@ -150,9 +150,7 @@ impl Shape<'_> {
 
     /// The factors of a factor: two if it begins with a name that multiplies, else itself.
     fn factors(&self, op: ProductOp, expr: &Expr, factors: &mut Vec<(ProductOp, Expr)>) {
-        // `a / -u (v)` divides by the whole of `-u (v)`, which no `*` can say
-        let stays = op == ProductOp::Divide && matches!(expr.kind, ExprKind::Negate(_));
-        if stays || !self.leads_product(expr) {
+        if !self.leads_product(expr) {
             return factors.push((op, self.plain(expr)));
         }
         let (first, rest) = self.split(expr);
