@@ -402,3 +402,16 @@ fn a_bidegree_is_two_numbers() {
         );
     }
 }
+
+#[test]
+fn a_sign_before_a_product_belongs_to_its_first_factor() {
+    let claims = [
+        "1 / a (3) == 3/2",
+        "1 / -a (3) == -3/2",
+        "-a (3) == -6",
+        "2 - -a (3)^2 == 20",
+    ];
+    let claims = claims.map(|own| format!("expect {own}\n"));
+    let text = format!("let a = 2\nsurface R = (u, v, 1)\n{}", claims.concat());
+    says(&text, &[], &[]);
+}
