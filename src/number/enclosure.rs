@@ -67,6 +67,7 @@ impl Enclosure {
     /// a + b
     #[must_use]
     pub fn plus(&self, other: &Self) -> Self {
+        debug_assert_eq!(self.precision, other.precision);
         let (lower, upper) = (&self.lower + &other.lower, &self.upper + &other.upper);
         Self::new(lower, upper, self.precision)
     }
@@ -86,6 +87,7 @@ impl Enclosure {
     /// a b
     #[must_use]
     pub fn times(&self, other: &Self) -> Self {
+        debug_assert_eq!(self.precision, other.precision);
         let (left, right) = (self.sign(), other.sign());
         if left == Some(Ordering::Greater) && right == Some(Ordering::Greater) {
             let (lower, upper) = (&self.lower * &other.lower, &self.upper * &other.upper);

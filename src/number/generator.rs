@@ -137,7 +137,7 @@ impl Generator {
     }
 }
 
-/// The primes q ≡ 3 modulo 4 in the order in which they are tried.
+/// The primes in the order in which they are tried.
 fn primes() -> Box<dyn Iterator<Item = Modulus> + Send> {
     let first = std::iter::once(Modulus::mersenne());
     Box::new(first.chain(Modulus::descending()))
