@@ -27,14 +27,8 @@ pub(super) fn run(own: &CheckArguments, arguments: &Arguments, stack: usize) -> 
     if let Err(misuse) = assignments(&arguments.set) {
         return misuse.complain();
     }
-    if own
-        .files
-        .iter()
-        .filter(|own| own.as_os_str() == "-")
-        .count()
-        > 1
-    {
-        return Misuse("standard input can be read only once".to_owned()).complain();
+    if let Err(misuse) = Misuse::of_input(&own.files) {
+        return misuse.complain();
     }
     match own.files.as_slice() {
         [file] => progress::begin(&file.display().to_string()),

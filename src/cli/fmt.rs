@@ -18,14 +18,8 @@ use super::voice::Voice;
 
 /// `sweepc fmt FILE…`
 pub(super) fn run(own: &FmtArguments, arguments: &Arguments) -> Status {
-    if own
-        .files
-        .iter()
-        .filter(|own| own.as_os_str() == "-")
-        .count()
-        > 1
-    {
-        return Misuse("standard input can be read only once".to_owned()).complain();
+    if let Err(misuse) = Misuse::of_input(&own.files) {
+        return misuse.complain();
     }
     let files = own.files.iter();
     let statuses = files.map(|file| format(file, own, arguments));

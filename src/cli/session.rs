@@ -18,6 +18,14 @@ use super::streams::complain;
 pub(super) struct Misuse(pub(super) String);
 
 impl Misuse {
+    /// Standard input can be read once.
+    pub(super) fn of_input(files: &[PathBuf]) -> Result<(), Self> {
+        match files.iter().filter(|own| own.as_os_str() == "-").count() {
+            0 | 1 => Ok(()),
+            _ => Err(Self("standard input can be read only once".to_owned())),
+        }
+    }
+
     /// Tells it.
     pub(super) fn complain(&self) -> Status {
         complain(&self.0);
