@@ -1,4 +1,4 @@
-//! The compiler on one screen: text → [`Document`] → [`Program`] → [`Checked`] → [`ControlNet`]
+//! The compiler on one screen: text → [`Document`] → [`Program`] → [`Checked`] → [`Model`]
 //! → bytes.
 //!
 //! Each stage is a type, and data only moves forward. Reading and writing files is the affair of
@@ -11,7 +11,7 @@ use crate::check::{Checked, Judgement, Verdict, judge};
 use crate::curve::Curve;
 use crate::diag::{Code, Diagnostic, Diagnostics, Limits, SourceMap};
 use crate::export::{Context, Exported, Exporter};
-use crate::net::ControlNet;
+use crate::net::{Model, Part};
 use crate::number::{Real, Unit};
 use crate::report::Report;
 use crate::sema::{self, Program};
@@ -202,26 +202,53 @@ impl Compilation {
         stem: &'a str,
         options: &Options,
     ) -> impl Iterator<Item = (&'static Exporter, Result<Exported, Box<Diagnostic>>)> + 'a {
-        let net = net(surface);
-        let mut context = Context::new(stem, surface.name());
-        context.unit = self.unit;
-        context.any_weight_ratio = options.any_weight_ratio;
+        let model = part(surface).map(|part| Model::new(vec![part]));
+        let context = self.context(Context::new(stem, surface.name()), options);
         formats.iter().map(move |format| {
-            let net = net.as_ref().map_err(Clone::clone);
+            let model = model.as_ref().map_err(Clone::clone);
             let span = surface.definition().span;
             let write =
-                |net| (format.write)(net, &context).map_err(|fault| Box::new(fault.at(span)));
-            (*format, net.and_then(write))
+                |model| (format.write)(model, &context).map_err(|fault| Box::new(fault.at(span)));
+            (*format, model.and_then(write))
         })
+    }
+
+    /// The bytes of all sound surfaces in one file, in each format that holds several; nothing if
+    /// no two of them share an edge.
+    pub fn export_together<'a>(
+        &'a self,
+        formats: &'a [&'static Exporter],
+        stem: &'a str,
+        options: &Options,
+    ) -> impl Iterator<Item = (&'static Exporter, Result<Exported, Box<Diagnostic>>)> + 'a {
+        let formats = formats.iter().filter(|format| format.several);
+        let parts = || self.sound_surfaces().filter_map(|own| part(own).ok());
+        let wanted = formats.clone().next().is_some() && self.sound_surfaces().nth(1).is_some();
+        let model = wanted.then(|| Model::new(parts().collect()));
+        let model = model.filter(Model::is_connected_across_parts);
+        let span = self.sound_surfaces().next();
+        let span = span.map(|own| own.definition().span);
+        let context = self.context(Context::whole(stem), options);
+        formats.filter_map(move |format| {
+            let written = (format.write)(model.as_ref()?, &context);
+            let span = span?;
+            Some((*format, written.map_err(|fault| Box::new(fault.at(span)))))
+        })
+    }
+
+    /// A context with what the compilation knows.
+    fn context<'a>(&self, context: Context<'a>, options: &Options) -> Context<'a> {
+        Context {
+            unit: self.unit,
+            any_weight_ratio: options.any_weight_ratio,
+            ..context
+        }
     }
 }
 
-/// The net of a checked surface on its domain.
-fn net(surface: &Checked) -> Result<ControlNet, Box<Diagnostic>> {
-    let (u, v) = (&surface.domain().u, &surface.domain().v);
-    let coordinates = surface.surface().coordinates().each_ref();
-    let net = ControlNet::bezier(coordinates, (u.start(), u.end()), (v.start(), v.end()));
-    net.ok_or_else(|| {
+/// A checked surface as the part of a model.
+fn part(surface: &Checked) -> Result<Part, Box<Diagnostic>> {
+    Part::of(surface).ok_or_else(|| {
         let message = format!("the first weight of `{}` is 0", surface.name());
         Box::new(Diagnostic::new(
             Code::E0301,

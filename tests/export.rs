@@ -17,12 +17,13 @@ use nets::{number, patch};
 use serde_json::Value;
 use sweepc::diag::Code;
 use sweepc::export::{ALL, Context, ExportFault, Exported, Fidelity, RoundedNet};
-use sweepc::net::{ControlNet, Knots};
+use sweepc::net::{ControlNet, Knots, Model, Part};
 use sweepc::number::{Field, Real, Unit};
 
 fn export(format: &str, net: &ControlNet, context: &Context) -> Result<Exported, ExportFault> {
     let exporter = ALL.iter().find(|own| own.name == format).unwrap();
-    (exporter.write)(net, context)
+    let part = Part::of_net(context.name(), net.clone());
+    (exporter.write)(&Model::new(vec![part]), context)
 }
 
 fn text(format: &str, net: &ControlNet) -> String {

@@ -129,6 +129,17 @@ fn build(session: &mut Session, own: &CompileArguments, emit: &Emit) -> Vec<(OsS
             }
         }
     }
+    let together = compilation.export_together(&emit.formats, &shown, &session.options);
+    for (format, result) in together {
+        match result {
+            // What is odd about a surface is told with its own file.
+            Ok(exported) => {
+                let name = named(stem, &format!(".{}", format.extension));
+                files.push((name, exported.bytes));
+            }
+            Err(finding) => findings.push(*finding),
+        }
+    }
     session.compilation.diagnostics.extend(findings);
     files
 }

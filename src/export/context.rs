@@ -1,10 +1,10 @@
 use crate::number::Unit;
 
-/// What a file says beside the net.
+/// What a file says beside the model.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Context<'a> {
-    /// The name of the surface in the source.
-    pub surface: &'a str,
+    /// The name of the surface in the source; none for all surfaces of the source in one file.
+    pub surface: Option<&'a str>,
     /// The name of the source file without its extension.
     pub stem: &'a str,
     /// What the number 1 means as a length.
@@ -22,10 +22,35 @@ impl<'a> Context<'a> {
     #[must_use]
     pub fn new(stem: &'a str, surface: &'a str) -> Self {
         Self {
-            surface,
+            surface: Some(surface),
+            ..Self::whole(stem)
+        }
+    }
+
+    /// All surfaces of a file, in millimetres.
+    #[must_use]
+    pub fn whole(stem: &'a str) -> Self {
+        Self {
+            surface: None,
             stem,
             unit: Unit::default(),
             any_weight_ratio: false,
+        }
+    }
+
+    /// The name of what is written: the surface, or the source file.
+    #[must_use]
+    pub fn name(&self) -> &'a str {
+        self.surface.unwrap_or(self.stem)
+    }
+
+    /// The name of the written file without its extension: `STEM-SURFACE`, or `STEM` for all
+    /// surfaces.
+    #[must_use]
+    pub fn file_stem(&self) -> String {
+        match self.surface {
+            Some(surface) => format!("{}-{surface}", self.stem),
+            None => self.stem.to_owned(),
         }
     }
 }

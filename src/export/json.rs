@@ -2,20 +2,22 @@
 
 use serde_json::json;
 
-use crate::net::{ControlNet, Knots};
+use crate::net::{ControlNet, Knots, Model};
 use crate::number::{Basis, Real};
 
-use super::{Context, Double, ExportFault, Exported, Exporter, Fidelity, RoundedNet};
+use super::{Context, Double, ExportFault, Exported, Exporter, Fidelity, RoundedNet, single};
 
 pub(super) const EXPORTER: Exporter = Exporter {
     name: "json",
     extension: "json",
     summary: "the exact net, with its doubles",
+    several: false,
     write,
 };
 
 /// - **errors** a number beyond the last double (E0306)
-fn write(net: &ControlNet, context: &Context) -> Result<Exported, ExportFault> {
+fn write(model: &Model, context: &Context) -> Result<Exported, ExportFault> {
+    let net = &single(model)?.net;
     let rounded = RoundedNet::new(net)?;
     let basis = basis(net);
     let definitions = basis.definitions().into_iter();
@@ -27,7 +29,7 @@ fn write(net: &ControlNet, context: &Context) -> Result<Exported, ExportFault> {
     let columns = net.columns();
     let file = Layout::Object(vec![
         ("format", Layout::line("sweepc-net/1")),
-        ("name", Layout::line(context.surface)),
+        ("name", Layout::line(context.name())),
         ("field", Layout::line(field.collect::<Vec<_>>())),
         ("degree", Layout::line([net.degree().u, net.degree().v])),
         ("knots", along(knots(net.knots_u()), knots(net.knots_v()))),

@@ -1,6 +1,6 @@
 //! File formats. The one floor where exact numbers become doubles.
 //!
-//! A format is one file and one line in [`ALL`]. An exporter writes a net whole or refuses it
+//! A format is one file and one line in [`ALL`]. An exporter writes a model whole or refuses it
 //! with the reason and the way out; what is lost on the way is told by [`Fidelity`].
 
 mod approx;
@@ -11,7 +11,8 @@ mod json;
 mod rounded_net;
 mod step;
 
-use crate::net::ControlNet;
+use crate::diag::Code;
+use crate::net::{Model, Part};
 
 pub use approx::Double;
 pub use context::Context;
@@ -28,8 +29,24 @@ pub struct Exporter {
     pub extension: &'static str,
     /// What it is, in a few words.
     pub summary: &'static str,
-    /// Writes one surface, or says why the format cannot carry it.
-    pub write: fn(&ControlNet, &Context) -> Result<Exported, ExportFault>,
+    /// Whether a file can hold several surfaces.
+    pub several: bool,
+    /// Writes the surfaces of a model, or says why the format cannot carry them.
+    pub write: fn(&Model, &Context) -> Result<Exported, ExportFault>,
+}
+
+/// The surface of a model that holds one, for formats of single surfaces.
+///
+/// - **errors** no surface, or several (E0304)
+fn single(model: &Model) -> Result<&Part, ExportFault> {
+    match model.parts() {
+        [part] => Ok(part),
+        parts => {
+            let message = format!("{} surfaces; a file of this format holds one", parts.len());
+            let help = "choose one with `--surface`";
+            Err(ExportFault::new(Code::E0304, message, help))
+        }
+    }
 }
 
 /// Every format.

@@ -1,7 +1,7 @@
 use crate::number::{Field, Integer, Real, Ring, lcm};
 use crate::poly::{BiDegree, BiPoly, UniPoly, bernstein};
 
-use super::Knots;
+use super::{CurveNet, Knots};
 
 /// The numerators of exact numbers.
 type Numerator = <Real as Field>::Ring;
@@ -154,6 +154,13 @@ impl ControlNet {
             y.times(factor),
             z.times(factor),
         ]
+    }
+
+    /// The Bézier curve of the control points at these indices; the first weight among them is not
+    /// 0 on a surface without poles.
+    pub(super) fn curve(&self, indices: impl Iterator<Item = (usize, usize)>) -> Option<CurveNet> {
+        let controls = indices.map(|(i, j)| self.homogeneous(i, j));
+        CurveNet::from_homogeneous(&controls.collect::<Vec<_>>())
     }
 
     /// The surface point at (u, v), by repeated affine combination of the control points; none

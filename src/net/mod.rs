@@ -1,7 +1,29 @@
 //! Control nets: the exact surface in the form that other programs read.
+//!
+//! A [`Model`] is what goes into one file: its [`Part`]s are surfaces, its [`Shell`]s the same
+//! surfaces in patches that share edges.
 
 mod control_net;
+mod curve_net;
+mod edge;
+mod face;
 mod knots;
+mod model;
+mod part;
+mod patch;
+mod sew;
+mod shell;
+mod side;
 
 pub use control_net::ControlNet;
+pub use curve_net::CurveNet;
+pub use edge::{Edge, EdgeId};
+pub use face::Face;
 pub use knots::Knots;
+pub use model::Model;
+pub use part::Part;
+pub use patch::Patch;
+pub use shell::Shell;
+pub use side::{Side, Use, VertexId};
+
+use sew::sew;

@@ -69,6 +69,12 @@ pub struct HomogeneousSurface {
 }
 
 impl HomogeneousSurface {
+    /// The surface of given W, X, Y, Z.
+    #[must_use]
+    pub fn new(coordinates: [BiPoly<Real>; 4]) -> Self {
+        Self { coordinates }
+    }
+
     /// W, X, Y, Z
     #[must_use]
     pub fn coordinates(&self) -> &[BiPoly<Real>; 4] {

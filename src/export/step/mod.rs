@@ -7,10 +7,10 @@ mod refusal;
 mod side;
 
 use crate::diag::Code;
-use crate::net::{ControlNet, Knots};
+use crate::net::{ControlNet, Knots, Model};
 use crate::number::{Field, Real};
 
-use super::{Context, ExportFault, Exported, Exporter, RoundedNet};
+use super::{Context, ExportFault, Exported, Exporter, RoundedNet, single};
 use entities::Entities;
 use face::Face;
 
@@ -18,13 +18,15 @@ pub(super) const EXPORTER: Exporter = Exporter {
     name: "step",
     extension: "step",
     summary: "STEP AP214, one B-spline face",
+    several: false,
     write,
 };
 
 /// - **errors** a degree above 25 or of 0 (E0305); a weight that is not positive, or weights that
 ///   differ by a factor above 10⁶ (E0304); a number beyond the last double, or knots that merge
 ///   (E0306)
-fn write(net: &ControlNet, context: &Context) -> Result<Exported, ExportFault> {
+fn write(model: &Model, context: &Context) -> Result<Exported, ExportFault> {
+    let net = &single(model)?.net;
     refusal::check_degrees(net)?;
     let ratio = refusal::check_weights(net, context)?;
     let net = &readable(net);
@@ -34,9 +36,9 @@ fn write(net: &ControlNet, context: &Context) -> Result<Exported, ExportFault> {
     let face = Face::new(net, &rounded, &mut entities);
     let bounded = face.has_clear_boundary();
     let shape = if bounded {
-        face.write_shell(context.surface)
+        face.write_shell(context.name())
     } else {
-        face.write_bare(context.surface)
+        face.write_bare(context.name())
     };
     product::write(&shape, context, &mut entities);
     let text = format!(

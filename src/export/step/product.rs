@@ -8,7 +8,7 @@ use crate::number::Unit;
 /// The header: its records are filled and the time stamp is fixed, so that equal surfaces give
 /// equal files.
 pub(super) fn header(context: &Context) -> String {
-    let file = string(&format!("{}-{}.step", context.stem, context.surface));
+    let file = string(&format!("{}.step", context.file_stem()));
     let program = concat!("'sweepc ", env!("CARGO_PKG_VERSION"), "'");
     format!(
         "HEADER;\n\
@@ -71,7 +71,7 @@ fn write_geometric_context(unit: Unit, entities: &mut Entities) -> Id {
 
 /// The product whose shape it is; without it readers find nothing.
 pub(super) fn write(shape: &Shape, context: &Context, entities: &mut Entities) {
-    let name = string(context.surface);
+    let name = string(context.name());
     let geometry = write_geometric_context(context.unit, entities);
     let Shape {
         representation,

@@ -1,0 +1,161 @@
+use crate::number::{Field, Real};
+use crate::poly::{UniPoly, bernstein, from_bernstein, gcd_all};
+
+use super::Knots;
+
+/// An exact rational Bézier curve over [0, 1]: weights and affine control points.
+///
+/// The first weight is 1. Where a weight is 0 the point is at infinity; there `point` holds its
+/// direction (X, Y, Z)/W₀.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CurveNet {
+    weights: Vec<Real>,
+    points: Vec<[Real; 3]>,
+}
+
+impl CurveNet {
+    /// The curve of homogeneous control points (W, X, Y, Z), scaled so that the first weight is 1.
+    ///
+    /// None without points, or if the first weight is 0.
+    #[must_use]
+    pub fn from_homogeneous(controls: &[[Real; 4]]) -> Option<Self> {
+        let scale = controls.first()?[0].inverse()?;
+        let weights = controls.iter().map(|[weight, ..]| weight.times(&scale));
+        let points = controls.iter().map(|[weight, point @ ..]| {
+            let divisor = weight.inverse().unwrap_or_else(|| scale.clone());
+            point.each_ref().map(|own| own.times(&divisor))
+        });
+        Some(Self {
+            weights: weights.collect(),
+            points: points.collect(),
+        })
+    }
+
+    /// The degree.
+    #[must_use]
+    pub fn degree(&self) -> usize {
+        self.weights.len() - 1
+    }
+
+    /// All weights; the first is 1.
+    #[must_use]
+    pub fn weights(&self) -> &[Real] {
+        &self.weights
+    }
+
+    /// All control points as (x, y, z), not multiplied by their weights.
+    #[must_use]
+    pub fn points(&self) -> &[[Real; 3]] {
+        &self.points
+    }
+
+    /// The homogeneous control points (W, X, Y, Z)/W₀.
+    #[must_use]
+    pub fn homogeneous(&self) -> Vec<[Real; 4]> {
+        let pairs = self.weights.iter().zip(&self.points);
+        pairs
+            .map(|(weight, [x, y, z])| {
+                let one = Real::one();
+                let factor = if weight.is_zero() { &one } else { weight };
+                let times = |own: &Real| own.times(factor);
+                [weight.clone(), times(x), times(y), times(z)]
+            })
+            .collect()
+    }
+
+    /// The first point.
+    #[must_use]
+    pub fn start(&self) -> &[Real; 3] {
+        &self.points[0]
+    }
+
+    /// The last point; the last weight is not 0 on a curve without poles.
+    #[must_use]
+    pub fn end(&self) -> &[Real; 3] {
+        &self.points[self.points.len() - 1]
+    }
+
+    /// Whether it is one point throughout.
+    #[must_use]
+    pub fn is_point(&self) -> bool {
+        self.reduced().degree() == 0
+    }
+
+    /// Whether every weight is positive.
+    #[must_use]
+    pub fn all_positive(&self) -> bool {
+        self.weights.iter().all(|own| own.sign().is_gt())
+    }
+
+    /// The curve point at a parameter of [0, 1], by repeated affine combination; none at a pole.
+    #[must_use]
+    pub fn de_casteljau(&self, at: &Real) -> Option<[Real; 3]> {
+        let knots = Knots::bezier(self.degree(), &Real::zero(), &Real::one())?;
+        let [weight, point @ ..] = knots.blend(&self.homogeneous(), at)?;
+        let scale = weight.inverse()?;
+        Some(point.map(|own| own.times(&scale)))
+    }
+
+    /// W, X, Y, Z as polynomials.
+    #[must_use]
+    pub fn polynomials(&self) -> [UniPoly<Real>; 4] {
+        let controls = self.homogeneous();
+        [0, 1, 2, 3].map(|axis| {
+            let coefficients: Vec<_> = controls.iter().map(|own| own[axis].clone()).collect();
+            from_bernstein(&coefficients, &Real::zero(), &Real::one())
+        })
+    }
+
+    /// The same curve in lowest degree: W, X, Y, Z without their common factor.
+    ///
+    /// - **holds** equal curves with equal parameters have equal reduced nets
+    #[must_use]
+    pub fn reduced(&self) -> Self {
+        let coordinates = self.polynomials();
+        let factor = gcd_all(&coordinates);
+        let divided = coordinates
+            .each_ref()
+            .map(|own| own.exact_div(&factor).unwrap_or_else(|| own.clone()));
+        Self::of_polynomials(&divided, 0, &Real::zero(), &Real::one())
+            .unwrap_or_else(|| self.clone())
+    }
+
+    /// The same curve in a degree that is not lower than its own.
+    #[must_use]
+    pub fn elevated(&self, degree: usize) -> Self {
+        let coordinates = self.polynomials();
+        let degree = degree.max(self.degree());
+        Self::of_polynomials(&coordinates, degree, &Real::zero(), &Real::one())
+            .unwrap_or_else(|| self.clone())
+    }
+
+    /// The part between two parameters, from < to; none if a pole is at its start.
+    #[must_use]
+    pub fn between(&self, from: &Real, to: &Real) -> Option<Self> {
+        Self::of_polynomials(&self.polynomials(), self.degree(), from, to)
+    }
+
+    /// The same curve, run through from its end to its start.
+    #[must_use]
+    pub fn reversed(&self) -> Self {
+        let mut controls = self.homogeneous();
+        controls.reverse();
+        Self::from_homogeneous(&controls).unwrap_or_else(|| self.clone())
+    }
+
+    /// The curve (X, Y, Z)/W over [from, to] in a degree that is at least its own.
+    fn of_polynomials(
+        coordinates: &[UniPoly<Real>; 4],
+        degree: usize,
+        from: &Real,
+        to: &Real,
+    ) -> Option<Self> {
+        let own = coordinates.iter().filter_map(UniPoly::degree).max()?;
+        let degree = degree.max(own);
+        let rows = coordinates
+            .each_ref()
+            .map(|own| bernstein(own, degree, from, to));
+        let controls = (0..=degree).map(|index| rows.each_ref().map(|row| row[index].clone()));
+        Self::from_homogeneous(&controls.collect::<Vec<_>>())
+    }
+}
