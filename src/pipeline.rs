@@ -8,9 +8,9 @@ use std::collections::HashMap;
 use std::rc::Rc;
 
 use crate::check::{Checked, Judgement, Verdict, judge};
-use crate::curve::Curve;
+use crate::curve::{Curve, Parameter};
 use crate::diag::{Code, Diagnostic, Diagnostics, Limits, SourceMap};
-use crate::export::{Context, Exported, Exporter};
+use crate::export::{Context, Exported, Exporter, Guide, View};
 use crate::net::{Model, Part};
 use crate::number::{Real, Unit};
 use crate::report::Report;
@@ -32,6 +32,8 @@ pub struct Options {
     pub limits: Limits,
     /// Whether weights may differ by any factor in formats that lose accuracy by it.
     pub any_weight_ratio: bool,
+    /// Where pictures are seen from.
+    pub view: View,
 }
 
 /// A step of a compilation that is done.
@@ -172,14 +174,19 @@ impl Compilation {
     /// one that speaks of none with the first.
     #[must_use]
     pub fn report(&self, file: &str, sources: &SourceMap) -> Report {
+        let line = |own: &Judgement| sources.position(own.expectation.span).0;
+        self.report_in(file, &line)
+    }
+
+    /// The report, with lines that a function tells.
+    fn report_in(&self, file: &str, line: &dyn Fn(&Judgement) -> usize) -> Report {
         let first = self.surfaces.iter().position(Option::is_some);
         let lined = |index: usize| {
             let own = self.judgements.iter().filter(move |judgement| {
                 let of = &judgement.expectation.surfaces;
                 of.contains(&index) || (of.is_empty() && first == Some(index))
             });
-            own.map(|own| (own, sources.position(own.expectation.span).0))
-                .collect()
+            own.map(|own| (own, line(own))).collect()
         };
         let surfaces = self.surfaces.iter().enumerate();
         let surfaces: Vec<(&Checked, Vec<(&Judgement, usize)>)> = surfaces
@@ -203,7 +210,8 @@ impl Compilation {
         options: &Options,
     ) -> impl Iterator<Item = (&'static Exporter, Result<Exported, Box<Diagnostic>>)> + 'a {
         let model = part(surface).map(|part| Model::new(vec![part]));
-        let context = self.context(Context::new(stem, surface.name()), options);
+        let mut context = self.context(Context::new(stem, surface.name()), formats, options);
+        context.guides = guides([surface]);
         formats.iter().map(move |format| {
             let model = model.as_ref().map_err(Clone::clone);
             let span = surface.definition().span;
@@ -221,15 +229,16 @@ impl Compilation {
         stem: &'a str,
         options: &Options,
     ) -> impl Iterator<Item = (&'static Exporter, Result<Exported, Box<Diagnostic>>)> + 'a {
-        let formats = formats.iter().filter(|format| format.several);
+        let several = formats.iter().filter(|format| format.several);
         let parts = || self.sound_surfaces().filter_map(|own| part(own).ok());
-        let wanted = formats.clone().next().is_some() && self.sound_surfaces().nth(1).is_some();
+        let wanted = several.clone().next().is_some() && self.sound_surfaces().nth(1).is_some();
         let model = wanted.then(|| Model::new(parts().collect()));
         let model = model.filter(Model::is_connected_across_parts);
         let span = self.sound_surfaces().next();
         let span = span.map(|own| own.definition().span);
-        let context = self.context(Context::whole(stem), options);
-        formats.filter_map(move |format| {
+        let mut context = self.context(Context::whole(stem), formats, options);
+        context.guides = guides(self.sound_surfaces());
+        several.filter_map(move |format| {
             let written = (format.write)(model.as_ref()?, &context);
             let span = span?;
             Some((*format, written.map_err(|fault| Box::new(fault.at(span)))))
@@ -237,10 +246,18 @@ impl Compilation {
     }
 
     /// A context with what the compilation knows.
-    fn context<'a>(&self, context: Context<'a>, options: &Options) -> Context<'a> {
+    fn context<'a>(
+        &self,
+        context: Context<'a>,
+        formats: &[&Exporter],
+        options: &Options,
+    ) -> Context<'a> {
+        let shown = formats.iter().any(|own| own.shows_report());
         Context {
             unit: self.unit,
             any_weight_ratio: options.any_weight_ratio,
+            view: options.view.clone(),
+            report: shown.then(|| self.report_in(context.stem, &|_| 0)),
             ..context
         }
     }
@@ -256,6 +273,31 @@ fn part(surface: &Checked) -> Result<Part, Box<Diagnostic>> {
             message,
         ))
     })
+}
+
+/// The curves that surfaces are made of, in the order of their formulas.
+fn guides<'a>(surfaces: impl IntoIterator<Item = &'a Checked>) -> Vec<Guide> {
+    let mut curves: Vec<Rc<Curve>> = Vec::new();
+    let formulas = surfaces.into_iter().map(Checked::definition);
+    for coordinate in formulas.flat_map(|own| &own.coordinates) {
+        coordinate.visit_curves(&mut |curve, _| {
+            if !curves.iter().any(|known| Rc::ptr_eq(known, curve)) {
+                curves.push(Rc::clone(curve));
+            }
+        });
+    }
+    let guide = |own: &Rc<Curve>| {
+        let position = own.position();
+        let [x, y, z] = position.coordinates.clone();
+        let domain = own.domain();
+        Guide {
+            name: own.name().to_owned(),
+            is_profile: own.parameter() == Parameter::U,
+            domain: (domain.start().clone(), domain.end().clone()),
+            coordinates: [position.weight.clone(), x, y, z],
+        }
+    };
+    curves.iter().map(guide).collect()
 }
 
 /// The error that an expectation is which does not hold.

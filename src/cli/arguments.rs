@@ -5,6 +5,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
 use crate::diag::Limits;
+use crate::export::View;
 
 use super::watch::Budget;
 
@@ -89,7 +90,7 @@ pub(super) struct CompileArguments {
     /// Where to write; beside the file if it is left out
     #[arg(short, long, value_name = "DIR")]
     pub(super) output: Option<PathBuf>,
-    /// What to write: a comma-separated list of `report`, `json`, `step`
+    /// What to write: a comma-separated list of `report`, `json`, `step`, `svg`
     #[arg(
         long,
         value_delimiter = ',',
@@ -97,6 +98,15 @@ pub(super) struct CompileArguments {
         value_name = "LIST"
     )]
     pub(super) emit: Vec<String>,
+    /// Where pictures are seen from: `iso`, `front`, `back`, `left`, `right`, `top`, `bottom`, or
+    /// AZIMUTH,ELEVATION in degrees
+    #[arg(
+        long,
+        default_value = "iso",
+        allow_hyphen_values = true,
+        value_name = "VIEW"
+    )]
+    pub(super) view: View,
     /// Write weights that differ by more than a factor of 10⁶
     #[arg(long)]
     pub(super) allow_weight_ratio: bool,

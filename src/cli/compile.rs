@@ -26,6 +26,7 @@ pub(super) fn run(own: &CompileArguments, arguments: &Arguments) -> Status {
         Ok(session) => session,
         Err(misuse) => return misuse.complain(),
     };
+    session.options.view = own.view.clone();
     require_surfaces(&mut session, &own.file);
     let files = if keeps_files(&session.compilation.diagnostics) {
         build(&mut session, own, &emit)

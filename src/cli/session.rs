@@ -72,6 +72,7 @@ impl Session {
             surface: arguments.surface.clone(),
             limits,
             any_weight_ratio,
+            ..Options::default()
         };
         let readable = !documents.is_empty();
         let compilation = if readable {

@@ -1,7 +1,10 @@
 use crate::number::Unit;
+use crate::report::Report;
+
+use super::{Guide, View};
 
 /// What a file says beside the model.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 pub struct Context<'a> {
     /// The name of the surface in the source; none for all surfaces of the source in one file.
     pub surface: Option<&'a str>,
@@ -12,6 +15,12 @@ pub struct Context<'a> {
     /// Whether weights may differ by any factor, not only by
     /// [10⁶](Context::GREATEST_WEIGHT_RATIO).
     pub any_weight_ratio: bool,
+    /// Where pictures are seen from.
+    pub view: View,
+    /// The curves that pictures show beside the surface.
+    pub guides: Vec<Guide>,
+    /// The degree report of the surfaces, for pages that show it.
+    pub report: Option<Report>,
 }
 
 impl<'a> Context<'a> {
@@ -35,6 +44,9 @@ impl<'a> Context<'a> {
             stem,
             unit: Unit::default(),
             any_weight_ratio: false,
+            view: View::default(),
+            guides: Vec::new(),
+            report: None,
         }
     }
 

@@ -31,4 +31,6 @@ pub enum Fidelity {
         /// length.
         chord_error: Real,
     },
+    /// Drawn for the eye.
+    Drawn,
 }

@@ -19,6 +19,15 @@ pub(super) const EXPORTER: Exporter = Exporter {
 fn write(model: &Model, context: &Context) -> Result<Exported, ExportFault> {
     let net = &single(model)?.net;
     let rounded = RoundedNet::new(net)?;
+    Ok(Exported {
+        bytes: net_text(context.name(), net, &rounded).into_bytes(),
+        fidelity: Fidelity::Exact,
+        warnings: rounded.warnings,
+    })
+}
+
+/// The net of this name as `sweepc-net/1`, with its doubles.
+pub(super) fn net_text(name: &str, net: &ControlNet, rounded: &RoundedNet) -> String {
     let basis = basis(net);
     let definitions = basis.definitions().into_iter();
     let field = definitions.map(|(name, square)| json!({"name": name, "square": square}));
@@ -29,22 +38,18 @@ fn write(model: &Model, context: &Context) -> Result<Exported, ExportFault> {
     let columns = net.columns();
     let file = Layout::Object(vec![
         ("format", Layout::line("sweepc-net/1")),
-        ("name", Layout::line(context.name())),
+        ("name", Layout::line(name)),
         ("field", Layout::line(field.collect::<Vec<_>>())),
         ("degree", Layout::line([net.degree().u, net.degree().v])),
         ("knots", along(knots(net.knots_u()), knots(net.knots_v()))),
         ("weights", rows(weights.collect(), columns)),
         ("points", rows(points.collect(), columns)),
-        ("float", doubles(&rounded)),
+        ("float", doubles(rounded)),
     ]);
     let mut text = String::new();
     file.print(0, &mut text);
     text.push('\n');
-    Ok(Exported {
-        bytes: text.into_bytes(),
-        fidelity: Fidelity::Exact,
-        warnings: rounded.warnings,
-    })
+    text
 }
 
 /// The member `float`: the doubles of knots, weights and points.

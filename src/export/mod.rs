@@ -7,7 +7,9 @@ mod approx;
 mod context;
 mod exported;
 mod fault;
+mod guide;
 mod json;
+mod picture;
 mod rounded_net;
 mod step;
 
@@ -18,6 +20,8 @@ pub use approx::Double;
 pub use context::Context;
 pub use exported::{Exported, Fidelity};
 pub use fault::ExportFault;
+pub use guide::Guide;
+pub use picture::View;
 pub use rounded_net::RoundedNet;
 
 /// A file format.
@@ -35,6 +39,14 @@ pub struct Exporter {
     pub write: fn(&Model, &Context) -> Result<Exported, ExportFault>,
 }
 
+impl Exporter {
+    /// Whether its files show the degree report.
+    #[must_use]
+    pub fn shows_report(&self) -> bool {
+        self.name == picture::HTML.name
+    }
+}
+
 /// The surface of a model that holds one, for formats of single surfaces.
 ///
 /// - **errors** no surface, or several (E0304)
@@ -50,4 +62,4 @@ fn single(model: &Model) -> Result<&Part, ExportFault> {
 }
 
 /// Every format.
-pub const ALL: &[Exporter] = &[json::EXPORTER, step::EXPORTER];
+pub const ALL: &[Exporter] = &[json::EXPORTER, step::EXPORTER, picture::SVG, picture::HTML];

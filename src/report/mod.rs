@@ -1,12 +1,14 @@
 //! The degree report: what the paper should have said.
 
 mod curve;
+mod html;
 mod json;
 mod markdown;
 mod report;
 mod text;
 
 pub use curve::CurveReport;
+pub use html::render_html;
 pub use json::render_json;
 pub use markdown::render_markdown;
 pub use report::{Report, SurfaceReport};

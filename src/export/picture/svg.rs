@@ -1,0 +1,259 @@
+//! A drawing as SVG: isoparametric lines, control net, profile and sweep curve, without what the
+//! surfaces hide.
+#![allow(
+    clippy::disallowed_types,
+    clippy::float_arithmetic,
+    reason = "a picture is drawn in doubles"
+)]
+
+use crate::export::{Context, ExportFault, Exported, Exporter, Fidelity};
+use crate::net::Model;
+
+use super::figure::{CurveFigure, Figure};
+use super::shade::{Shades, TONES};
+use super::stage::WIDTH;
+use super::stroke::{Polyline, Stroke};
+
+pub(in crate::export) const EXPORTER: Exporter = Exporter {
+    name: "svg",
+    extension: "svg",
+    summary: "a drawing with hidden lines removed",
+    several: true,
+    write,
+};
+
+/// Dark and light of the side that most of a surface shows, and of the other.
+const FRONT: [[u8; 3]; 2] = [[0x8f, 0xa9, 0xc2], [0xf6, 0xf9, 0xfc]];
+const BACK: [[u8; 3]; 2] = [[0xc0, 0xad, 0x8c], [0xfc, 0xf8, 0xf0]];
+/// The length of an axis of the triad.
+const AXIS: f64 = 26.0;
+
+/// - **errors** a number beyond the last double (E0306)
+fn write(model: &Model, context: &Context<'_>) -> Result<Exported, ExportFault> {
+    let figure = Figure::of(model, context)?;
+    Ok(Exported {
+        bytes: document(&figure, model).into_bytes(),
+        fidelity: Fidelity::Drawn,
+        warnings: Vec::new(),
+    })
+}
+
+fn document(figure: &Figure, model: &Model) -> String {
+    let caption = caption(model);
+    let (width, height) = (number(WIDTH), number(figure.stage.height));
+    let mut lines = vec![
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" \
+             width=\"{width}\" height=\"{height}\" role=\"img\" fill=\"none\" \
+             stroke-linecap=\"round\" stroke-linejoin=\"round\">"
+        ),
+        format!("<title>{}</title>", plain(&caption)),
+        format!("<rect width=\"{width}\" height=\"{height}\" fill=\"#fff\"/>"),
+    ];
+    lines.extend(shades(&figure.shades));
+    let hidden = |own: &'_ Stroke| own.hidden.clone();
+    let visible = |own: &'_ Stroke| own.visible.clone();
+    let curves = || figure.curves.iter().map(|own| &own.stroke);
+    let faint = "stroke-width=\"0.6\" stroke-dasharray=\"1.2 2.6\"";
+    let behind = |id: &str, color: &str, paths: Vec<Polyline>| {
+        group(&format!("id=\"{id}\" stroke=\"{color}\" {faint}"), &paths)
+    };
+    let fine = "id=\"isoparametric\" stroke=\"#4a5f74\" stroke-width=\"0.45\"";
+    lines.push(group(fine, &paths(&figure.isoparametric, visible)));
+    lines.push(behind(
+        "hidden-edges",
+        "#8a97a5",
+        paths(&figure.edges, hidden),
+    ));
+    lines.push(behind(
+        "hidden-net",
+        "#d6b98f",
+        paths(&figure.control_polygons, hidden),
+    ));
+    let net = "id=\"control-net\" stroke=\"#b5843f\" stroke-width=\"0.6\"";
+    lines.push(group(net, &paths(&figure.control_polygons, visible)));
+    let edge = "id=\"edges\" stroke=\"#1d2b3a\" stroke-width=\"1.15\"";
+    lines.push(group(edge, &paths(&figure.edges, visible)));
+    lines.push(behind("hidden-curves", "#b9483a", paths(curves(), hidden)));
+    let faint = "id=\"hidden-points\" stroke=\"#d6b98f\" stroke-width=\"0.6\"";
+    lines.push(dots(faint, &figure.hidden_points));
+    let clear = "id=\"control-points\" fill=\"#fff\" stroke=\"#b5843f\" stroke-width=\"0.8\"";
+    lines.push(dots(clear, &figure.control_points));
+    lines.extend(figure.curves.iter().map(curve));
+    lines.push(axes(figure));
+    lines.push(format!(
+        "<text x=\"{}\" y=\"{}\" {SERIF} font-size=\"14\" text-anchor=\"middle\" \
+         fill=\"#1d2b3a\">{caption}</text>",
+        number(WIDTH / 2.0),
+        number(figure.stage.height - 22.0)
+    ));
+    lines.push("</svg>\n".to_owned());
+    lines.retain(|own| !own.is_empty());
+    lines.join("\n")
+}
+
+const SERIF: &str = "font-family=\"STIX Two Text, Latin Modern Roman, Times New Roman, serif\"";
+
+/// The stretches of some strokes.
+fn paths<'a>(
+    strokes: impl IntoIterator<Item = &'a Stroke>,
+    pick: impl Fn(&'a Stroke) -> Vec<Polyline>,
+) -> Vec<Polyline> {
+    strokes.into_iter().flat_map(pick).collect()
+}
+
+/// A group of lines, one path each; nothing without lines.
+fn group(attributes: &str, lines: &[Polyline]) -> String {
+    if lines.is_empty() {
+        return String::new();
+    }
+    let paths = lines
+        .iter()
+        .map(|own| format!("<path d=\"{}\"/>\n", path(own)));
+    format!("<g {attributes}>\n{}</g>", paths.collect::<String>())
+}
+
+/// M x y L x y …
+fn path(line: &[[f64; 2]]) -> String {
+    let mut text = String::new();
+    for (index, [x, y]) in line.iter().enumerate() {
+        text.push(match index {
+            0 => 'M',
+            1 => 'L',
+            _ => ' ',
+        });
+        text.push_str(&format!("{} {}", number(*x), number(*y)));
+    }
+    text
+}
+
+/// The tones of surfaces, far ones first; neighbours of one tone are one path.
+fn shades(all: &[Shades]) -> Vec<String> {
+    let mut lines = vec!["<g id=\"surfaces\" stroke-width=\"0.7\">".to_owned()];
+    let cells = Shades::from_afar(all);
+    for run in cells.chunk_by(|one, other| (one.is_front, one.tone) == (other.is_front, other.tone))
+    {
+        let Some(first) = run.first() else { continue };
+        let ramp = if first.is_front { FRONT } else { BACK };
+        let color = color(ramp, first.tone);
+        let cells = run.iter().map(|own| format!("{}Z", path(&own.corners)));
+        let cells = cells.collect::<String>();
+        lines.push(format!(
+            "<path fill=\"{color}\" stroke=\"{color}\" d=\"{cells}\"/>"
+        ));
+    }
+    lines.push("</g>".to_owned());
+    lines
+}
+
+/// The colour of a tone between a dark and a light one.
+fn color([dark, light]: [[u8; 3]; 2], tone: u8) -> String {
+    let [red, green, blue] = [0, 1, 2].map(|channel| {
+        let (low, high) = (u32::from(dark[channel]), u32::from(light[channel]));
+        let (tone, last) = (u32::from(tone), u32::from(TONES - 1));
+        (low * (last - tone) + high * tone) / last
+    });
+    format!("#{red:02x}{green:02x}{blue:02x}")
+}
+
+/// A circle for each point; nothing without points.
+fn dots(attributes: &str, points: &[[f64; 2]]) -> String {
+    if points.is_empty() {
+        return String::new();
+    }
+    let dots = points.iter().map(|own| {
+        let [x, y] = own.map(number);
+        format!("<circle cx=\"{x}\" cy=\"{y}\" r=\"1.6\"/>\n")
+    });
+    format!("<g {attributes}>\n{}</g>", dots.collect::<String>())
+}
+
+/// A profile in blue, a sweep curve in red, each with its name.
+fn curve(own: &CurveFigure) -> String {
+    let (class, color, parameter) = if own.is_profile {
+        ("profile", "#1f6fb2", "u")
+    } else {
+        ("sweep-curve", "#b9483a", "v")
+    };
+    let paths = own
+        .stroke
+        .visible
+        .iter()
+        .map(|line| format!("<path d=\"{}\"/>\n", path(line)));
+    let [x, y] = own.label.map(number);
+    format!(
+        "<g class=\"{class}\" stroke=\"{color}\" stroke-width=\"1.9\">\n{}</g>\n\
+         <text x=\"{x}\" y=\"{y}\" {SERIF} font-size=\"15\" text-anchor=\"middle\" \
+         fill=\"{color}\" stroke=\"#fff\" stroke-width=\"3\" paint-order=\"stroke\"><tspan \
+         font-style=\"italic\">{}</tspan>(<tspan font-style=\"italic\">{parameter}</tspan>)</text>",
+        paths.collect::<String>(),
+        escaped(&own.name)
+    )
+}
+
+/// The directions of x, y and z, in the corner.
+fn axes(figure: &Figure) -> String {
+    let corner = [48.0, figure.stage.height - 36.0];
+    let mut text = format!(
+        "<g id=\"axes\" stroke=\"#6b7885\" stroke-width=\"0.8\" {SERIF} font-size=\"12\" \
+         font-style=\"italic\" text-anchor=\"middle\">\n"
+    );
+    for (index, name) in ["x", "y", "z"].into_iter().enumerate() {
+        let mut axis = [0.0; 3];
+        axis[index] = 1.0;
+        let [right, down, _] = figure.stage.direction(axis);
+        if right * right + down * down < 0.01 {
+            continue;
+        }
+        let at = |length: f64| [corner[0] + length * right, corner[1] + length * down];
+        let [x, y] = at(AXIS + 9.0);
+        text.push_str(&format!(
+            "<path d=\"{}\"/>\n<text x=\"{}\" y=\"{}\" fill=\"#6b7885\" stroke=\"none\">{name}</text>\n",
+            path(&[corner, at(AXIS)]),
+            number(x),
+            number(y + 4.0)
+        ));
+    }
+    text.push_str("</g>");
+    text
+}
+
+/// Names and bidegrees of the surfaces, with marks for italics.
+fn caption(model: &Model) -> String {
+    let names = model.parts().iter().map(|own| {
+        let degree = own.net.degree();
+        format!(
+            "<tspan font-style=\"italic\">{}</tspan>, bidegree ({}, {})",
+            escaped(&own.name),
+            degree.u,
+            degree.v
+        )
+    });
+    names.collect::<Vec<_>>().join("; ")
+}
+
+/// A text without its marks.
+fn plain(text: &str) -> String {
+    let parts = text
+        .split('<')
+        .map(|part| part.split_once('>').map_or(part, |(_, own)| own));
+    parts.collect()
+}
+
+/// A text as XML takes it.
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+}
+
+/// A coordinate to the hundredth, as short as it can be written.
+fn number(value: f64) -> String {
+    let text = format!("{value:.2}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" {
+        "0".to_owned()
+    } else {
+        text.to_owned()
+    }
+}
