@@ -11,6 +11,7 @@ use super::View;
 use super::vector::{Vector, dot};
 
 /// A parallel projection: x to the right, y downwards, the third coordinate towards the viewer.
+#[derive(Clone)]
 pub(super) struct Camera {
     right: Vector,
     up: Vector,

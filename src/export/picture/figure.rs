@@ -12,6 +12,7 @@ use super::approx_surface::{ApproxSurface, Sample};
 use super::contour::Contours;
 use super::grid::Grid;
 use super::occluder::Occluder;
+use super::orientation::turned;
 use super::shade::Shades;
 use super::stage::{Stage, WIDTH};
 use super::stroke::Stroke;
@@ -30,6 +31,8 @@ const REACH: f64 = 2.0;
 pub(super) struct Figure {
     pub(super) stage: Stage,
     pub(super) shades: Vec<Shades>,
+    /// For each surface whether its front is the side of its normal R_u × R_v.
+    pub(super) fronts: Vec<bool>,
     pub(super) isoparametric: Vec<Stroke>,
     /// Sides of domains, and contours.
     pub(super) edges: Vec<Stroke>,
@@ -49,7 +52,7 @@ pub(super) struct CurveFigure {
 }
 
 impl Figure {
-    /// Draws surfaces with the curves of their context.
+    /// Draws the surfaces of a model with the curves of their context.
     ///
     /// - **errors** a number beyond the last double (E0306)
     pub(super) fn of(model: &Model, context: &Context<'_>) -> Result<Self, ExportFault> {
@@ -59,65 +62,64 @@ impl Figure {
         let samples = bodies.iter().flat_map(|own| own.grid.samples());
         let mut shown: Vec<Vector> = samples.map(|own| own.point).collect();
         shown.extend(curves.iter().flatten());
-        let nets: Vec<ControlPoints> = bodies
-            .iter()
-            .map(|own| ControlPoints::of(own.net, &shown))
-            .collect();
+        let nets = bodies.iter().map(|own| ControlPoints::of(own.net, &shown));
+        let nets: Vec<ControlPoints> = nets.collect();
         shown.extend(nets.iter().flat_map(|own| own.points.iter().flatten()));
-        let stage = Stage::new(&context.view, shown.iter());
-        let artist = Artist {
-            occluder: Occluder::new(
-                bodies
-                    .iter()
-                    .flat_map(|own| own.triangles(&stage))
-                    .collect(),
-            ),
-            stage: &stage,
-        };
+        let artist = Artist::new(Stage::new(&context.view, &shown), &bodies);
+        let mut shades: Vec<Shades> = bodies.iter().map(|own| artist.shades(own)).collect();
+        let fronts = fronts(&shades, &turned(model));
+        for (own, front) in shades.iter_mut().zip(&fronts) {
+            own.turn(*front);
+        }
         let mut figure = Self {
-            shades: bodies
-                .iter()
-                .map(|own| Shades::of(&own.grid, &stage))
-                .collect(),
+            shades,
+            fronts,
             isoparametric: Vec::new(),
             edges: Vec::new(),
             control_polygons: Vec::new(),
             control_points: Vec::new(),
             hidden_points: Vec::new(),
-            curves: Vec::new(),
-            stage: Stage::new(&context.view, shown.iter()),
+            curves: artist.curves(&context.guides, &curves),
+            stage: artist.stage.clone(),
         };
-        for body in &bodies {
-            figure.edges.extend(artist.contours(body));
-            let (edges, inner) = body.lines();
-            figure
-                .edges
-                .extend(edges.iter().map(|own| artist.stroke(own)));
-            figure
-                .isoparametric
-                .extend(inner.iter().map(|own| artist.stroke(own)));
+        for (body, net) in bodies.iter().zip(&nets) {
+            figure.draw(&artist, body, net);
         }
-        for net in &nets {
-            let sides = net.sides();
-            figure
-                .control_polygons
-                .extend(sides.iter().map(|own| artist.stroke(own)));
-            for point in net.points.iter().flatten() {
-                let place = figure.stage.place(*point);
-                let dot = [place[0], place[1]];
-                if artist.occluder.hides(place) {
-                    figure.hidden_points.push(dot);
-                } else {
-                    figure.control_points.push(dot);
-                }
-            }
-        }
-        let named = context.guides.iter().zip(&curves);
-        figure.curves = named
-            .map(|(guide, points)| artist.curve(guide, points))
-            .collect();
         Ok(figure)
     }
+
+    /// Draws one surface and its net.
+    fn draw(&mut self, artist: &Artist, body: &Body<'_>, net: &ControlPoints) {
+        let (edges, inner) = body.lines();
+        self.edges.extend(artist.contours(body));
+        self.edges
+            .extend(edges.iter().map(|own| artist.stroke(own)));
+        let inner = inner.iter().map(|own| artist.stroke(own));
+        self.isoparametric.extend(inner);
+        let sides = net.sides();
+        let sides = sides.iter().map(|own| artist.stroke(own));
+        self.control_polygons.extend(sides);
+        for point in net.points.iter().flatten() {
+            let place = self.stage.place(*point);
+            let dot = [place[0], place[1]];
+            if artist.occluder.hides(place) {
+                self.hidden_points.push(dot);
+            } else {
+                self.control_points.push(dot);
+            }
+        }
+    }
+}
+
+/// For each surface whether its front is the side of its normal: all fronts together are what is
+/// seen most.
+fn fronts(shades: &[Shades], turned: &[bool]) -> Vec<bool> {
+    let seen = shades.iter().zip(turned).map(|(own, is_turned)| {
+        let votes = own.votes();
+        if *is_turned { -votes } else { votes }
+    });
+    let is_normal = seen.sum::<i64>() >= 0;
+    turned.iter().map(|own| is_normal != *own).collect()
 }
 
 /// One surface, ready to be drawn.
@@ -236,12 +238,24 @@ impl ControlPoints {
 }
 
 /// Draws lines among what hides them.
-struct Artist<'a> {
-    stage: &'a Stage,
+struct Artist {
+    stage: Stage,
     occluder: Occluder,
 }
 
-impl Artist<'_> {
+impl Artist {
+    fn new(stage: Stage, bodies: &[Body<'_>]) -> Self {
+        let triangles = bodies.iter().flat_map(|own| own.triangles(&stage));
+        Self {
+            occluder: Occluder::new(triangles.collect()),
+            stage,
+        }
+    }
+
+    fn shades(&self, body: &Body<'_>) -> Shades {
+        Shades::of(&body.grid, &self.stage, &self.occluder)
+    }
+
     fn placed(&self, line: &[Vector]) -> Vec<Vector> {
         line.iter().map(|own| self.stage.place(*own)).collect()
     }
@@ -299,35 +313,50 @@ impl Artist<'_> {
         }
     }
 
-    /// A curve with its name beside the end that lies farther out.
-    fn curve(&self, guide: &Guide, points: &[Vector]) -> CurveFigure {
-        let line = self.placed(points);
+    /// Curves, each with its name beside an end or its middle: as far out as the names before it
+    /// leave room.
+    fn curves(&self, guides: &[Guide], lines: &[Vec<Vector>]) -> Vec<CurveFigure> {
+        let mut curves: Vec<CurveFigure> = Vec::new();
+        for (guide, points) in guides.iter().zip(lines) {
+            let line = self.placed(points);
+            let middle = line.get(line.len() / 2);
+            let ends = [line.first(), line.last(), middle].into_iter().flatten();
+            let letters = u32::try_from(guide.name.chars().count() + 3).unwrap_or_default();
+            let half = (3.6 * f64::from(letters)).min(WIDTH / 2.0);
+            let mut places: Vec<(f64, [f64; 2])> = ends.map(|own| self.label(*own, half)).collect();
+            places.sort_by(|one, other| other.0.total_cmp(&one.0));
+            let is_free = |(_, own): &&(f64, [f64; 2])| {
+                let apart =
+                    |axis: usize, other: &CurveFigure| (own[axis] - other.label[axis]).abs();
+                let far =
+                    |other: &CurveFigure| apart(0, other) > 2.0 * half || apart(1, other) > 18.0;
+                curves.iter().all(far)
+            };
+            let place = places.iter().find(is_free).or(places.first());
+            curves.push(CurveFigure {
+                name: guide.name.clone(),
+                is_profile: guide.is_profile,
+                stroke: Stroke::of(&line, &self.occluder),
+                label: place.map_or([0.0; 2], |(_, own)| *own),
+            });
+        }
+        curves
+    }
+
+    /// How far out a point is, and where a name of some width stands beside it.
+    fn label(&self, point: Vector, half: f64) -> (f64, [f64; 2]) {
         let middle = self.stage.middle();
-        let away = |own: &Vector| [own[0] - middle[0], own[1] - middle[1]];
-        let distance = |own: &Vector| away(own).iter().map(|own| own * own).sum::<f64>();
-        let ends = [line.first(), line.last(), line.get(line.len() / 2)];
-        let end = ends.into_iter().flatten();
-        let end = end.max_by(|one, other| distance(one).total_cmp(&distance(other)));
-        let end = end.copied().unwrap_or_default();
-        let (out, length) = (away(&end), distance(&end).sqrt());
-        let letters = u32::try_from(guide.name.chars().count() + 3).unwrap_or_default();
-        let half = (3.6 * f64::from(letters)).min(WIDTH / 2.0);
+        let out = [0, 1].map(|axis| point[axis] - middle[axis]);
+        let distance = (out[0] * out[0] + out[1] * out[1]).sqrt();
         let step = |axis: usize| {
-            if length > 0.0 {
-                14.0 * out[axis] / length
+            if distance > 0.0 {
+                14.0 * out[axis] / distance
             } else {
                 0.0
             }
         };
-        CurveFigure {
-            name: guide.name.clone(),
-            is_profile: guide.is_profile,
-            stroke: Stroke::of(&line, &self.occluder),
-            label: [
-                (end[0] + step(0)).clamp(half, WIDTH - half),
-                end[1] + step(1) + 4.0,
-            ],
-        }
+        let x = (point[0] + step(0)).clamp(half, WIDTH - half);
+        (distance, [x, point[1] + step(1) + 4.0])
     }
 }
 

@@ -10,6 +10,8 @@ use crate::net::{Model, Part};
 use crate::number::Real;
 use crate::report::render_html;
 
+use super::figure::Figure;
+
 pub(in crate::export) const EXPORTER: Exporter = Exporter {
     name: "html",
     extension: "html",
@@ -38,9 +40,11 @@ fn write(model: &Model, context: &Context<'_>) -> Result<Exported, ExportFault> 
     let curves = context.guides.iter().map(curve).collect::<Vec<_>>();
     let angles = [context.view.azimuth(), context.view.elevation()];
     let angles = angles.map(|own| double(Double::nearest(&Real::from(own.clone()))));
+    let fronts = Figure::of(model, context)?.fronts;
     let data = format!(
-        "{{\"view\": [{}],\n\"curves\": [{}],\n\"nets\": [\n{}\n]}}",
+        "{{\"view\": [{}],\n\"fronts\": {},\n\"curves\": [{}],\n\"nets\": [\n{}\n]}}",
         angles.join(", "),
+        json!(fronts),
         curves.join(",\n"),
         nets.join(",\n")
     );
@@ -95,13 +99,18 @@ fn double(own: Option<Double>) -> String {
 fn heading(model: &Model, context: &Context<'_>) -> String {
     let degree = |own: &Part| {
         let degree = own.net.degree();
-        format!("<i>{}</i> ({}, {})", escaped(&own.name), degree.u, degree.v)
+        format!(
+            "<i>{}</i>, bidegree ({}, {})",
+            escaped(&own.name),
+            degree.u,
+            degree.v
+        )
     };
     let degrees: Vec<String> = model.parts().iter().map(degree).collect();
     format!(
-        "<h1>{}</h1>\n<p>bidegree {}</p>",
+        "<h1>{}</h1>\n<p>{}</p>",
         escaped(context.stem),
-        degrees.join(", ")
+        degrees.join("<br>")
     )
 }
 

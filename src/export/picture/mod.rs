@@ -10,6 +10,7 @@ mod figure;
 mod grid;
 mod html;
 mod occluder;
+mod orientation;
 mod shade;
 mod spline;
 mod stage;

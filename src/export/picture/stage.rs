@@ -18,6 +18,7 @@ const MARGIN: f64 = 36.0;
 const FOOT: f64 = 88.0;
 
 /// A camera that places what it sees in the middle of a picture.
+#[derive(Clone)]
 pub(super) struct Stage {
     camera: Camera,
     scale: f64,
@@ -28,7 +29,7 @@ pub(super) struct Stage {
 
 impl Stage {
     /// The stage on which all these points are to be seen.
-    pub(super) fn new<'a>(view: &View, points: impl Iterator<Item = &'a Vector>) -> Self {
+    pub(super) fn new(view: &View, points: &[Vector]) -> Self {
         let camera = Camera::new(view);
         let mut least = [f64::INFINITY; 3];
         let mut greatest = [f64::NEG_INFINITY; 3];

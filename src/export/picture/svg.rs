@@ -10,7 +10,7 @@ use crate::export::{Context, ExportFault, Exported, Exporter, Fidelity};
 use crate::net::Model;
 
 use super::figure::{CurveFigure, Figure};
-use super::shade::{Shades, TONES};
+use super::shade::{Shade, Shades, TONES};
 use super::stage::WIDTH;
 use super::stroke::{Polyline, Stroke};
 
@@ -129,18 +129,21 @@ fn path(line: &[[f64; 2]]) -> String {
 
 /// The tones of surfaces, far ones first; neighbours of one tone are one path.
 fn shades(all: &[Shades]) -> Vec<String> {
-    let mut lines = vec!["<g id=\"surfaces\" stroke-width=\"0.7\">".to_owned()];
+    let group =
+        "<g id=\"surfaces\" fill=\"currentColor\" stroke=\"currentColor\" stroke-width=\"0.7\">";
+    let mut lines = vec![group.to_owned()];
     let cells = Shades::from_afar(all);
-    for run in cells.chunk_by(|one, other| (one.is_front, one.tone) == (other.is_front, other.tone))
-    {
+    let is_alike =
+        |one: &&Shade, other: &&Shade| (one.is_front, one.tone) == (other.is_front, other.tone);
+    for run in cells.chunk_by(is_alike) {
         let Some(first) = run.first() else { continue };
-        let ramp = if first.is_front { FRONT } else { BACK };
-        let color = color(ramp, first.tone);
-        let cells = run.iter().map(|own| format!("{}Z", path(&own.corners)));
+        let color = color(if first.is_front { FRONT } else { BACK }, first.tone);
+        let cells = run.iter().map(|own| {
+            let corners = own.corners.map(|corner| corner.map(tenth).join(" "));
+            format!("M{}Z", corners.join(" "))
+        });
         let cells = cells.collect::<String>();
-        lines.push(format!(
-            "<path fill=\"{color}\" stroke=\"{color}\" d=\"{cells}\"/>"
-        ));
+        lines.push(format!("<path color=\"{color}\" d=\"{cells}\"/>"));
     }
     lines.push("</g>".to_owned());
     lines
@@ -249,11 +252,19 @@ fn escaped(text: &str) -> String {
 
 /// A coordinate to the hundredth, as short as it can be written.
 fn number(value: f64) -> String {
-    let text = format!("{value:.2}");
+    short(format!("{value:.2}"))
+}
+
+/// A coordinate to the tenth.
+fn tenth(value: f64) -> String {
+    short(format!("{value:.1}"))
+}
+
+/// A decimal without zeros at its end, and without a sign if it is 0.
+fn short(text: String) -> String {
     let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" {
-        "0".to_owned()
-    } else {
-        text.to_owned()
-    }
+    text.strip_prefix('-')
+        .filter(|own| *own == "0")
+        .unwrap_or(text)
+        .to_owned()
 }

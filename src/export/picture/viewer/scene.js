@@ -13,17 +13,17 @@ import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js
 import { blended } from "./colours.js";
 
 const STEPS = 96;
-const LINE_STEPS = 96;
-const MOST_LINES = 16;
-const LEAST_LINES = 4;
+// Isoparametric lines: divisors of the steps, so that the lines are sides of triangles.
+const COUNTS = [4, 6, 8, 12, 16];
 
 const COLOURS = {
-  front: 0xbfd0e0, back: 0xe0d2b6, fine: 0x4a5f74, edge: 0x1d2b3a, net: 0xb5843f,
+  front: 0xcfdde9, back: 0xe6d9be, fine: 0x4a5f74, edge: 0x1d2b3a, net: 0xb5843f,
   profile: 0x1f6fb2, sweep: 0xb9483a, mark: 0xd23c2a,
 };
 
 export class Picture {
-  constructor(place, surfaces, curves, view) {
+  // `fronts` tells for each surface whether its front is the side of its normal.
+  constructor(place, surfaces, fronts, curves, view) {
     this.place = place;
     this.surfaces = surfaces;
     this.renderer = new WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
@@ -43,7 +43,7 @@ export class Picture {
     this.light();
     this.samples = surfaces.map((own) => sampled(own, STEPS));
     this.frame(curves);
-    surfaces.forEach((own, index) => this.add(own, index));
+    surfaces.forEach((own, index) => this.add(own, index, fronts[index]));
     this.addCurves(curves);
     this.look(view);
     new ResizeObserver(() => this.resize()).observe(place);
@@ -82,7 +82,7 @@ export class Picture {
     return point.map((own, axis) => (own - this.middle[axis]) / this.size);
   }
 
-  add(surface, index) {
+  add(surface, index, isNormalFront) {
     const { points } = this.samples[index];
     const geometry = new BufferGeometry();
     const floats = (values) => new BufferAttribute(new Float32Array(values), 3);
@@ -98,13 +98,14 @@ export class Picture {
       }
     }
     geometry.setIndex(faces);
-    for (const [side, color] of [[FrontSide, COLOURS.front], [BackSide, COLOURS.back]]) {
+    for (const side of [FrontSide, BackSide]) {
+      const plain = (side === FrontSide) === isNormalFront ? COLOURS.front : COLOURS.back;
       const material = new MeshStandardMaterial({
-        color, side, roughness: 0.62, metalness: 0, vertexColors: true,
+        color: plain, side, roughness: 0.62, metalness: 0, vertexColors: true,
         polygonOffset: true, polygonOffsetFactor: 1.5, polygonOffsetUnits: 2,
       });
       const mesh = new Mesh(geometry, material);
-      mesh.userData = { index, plain: color };
+      mesh.userData = { index, plain };
       this.groups.surface.add(mesh);
     }
     this.addLines(surface);
@@ -118,15 +119,16 @@ export class Picture {
       [0, 1].map((axis) => length(line(own, 1 - axis, 0.5)))));
     const [edges, fine] = [[], []];
     lengths.forEach((own, axis) => {
-      const ideal = Math.round((MOST_LINES * own) / longest);
-      const count = Math.min(MOST_LINES, Math.max(LEAST_LINES, ideal));
+      const ideal = (COUNTS[COUNTS.length - 1] * own) / longest;
+      const far = (count) => Math.abs(count - ideal);
+      const count = COUNTS.reduce((best, one) => (far(one) < far(best) ? one : best));
       for (let k = 0; k <= count; k++) {
         const points = line(surface, axis, k / count);
         (k === 0 || k === count ? edges : fine).push(...this.segments(points));
       }
     });
     this.groups.isoparametric.add(this.lines(fine, COLOURS.fine, 1));
-    this.groups.edges.add(this.lines(edges, COLOURS.edge, 2));
+    this.groups.edges.add(this.lines(edges, COLOURS.edge, 2, 1));
   }
 
   addNet(surface) {
@@ -145,7 +147,7 @@ export class Picture {
   addCurves(curves) {
     for (const own of curves) {
       const colour = own.profile ? COLOURS.profile : COLOURS.sweep;
-      this.groups.curves.add(this.lines(this.segments(own.points), colour, 3));
+      this.groups.curves.add(this.lines(this.segments(own.points), colour, 3, 2));
     }
   }
 
@@ -153,8 +155,11 @@ export class Picture {
     return points.slice(1).flatMap((own, k) => [...this.placed(points[k]), ...this.placed(own)]);
   }
 
-  lines(positions, color, linewidth) {
-    const material = new LineMaterial({ color, linewidth });
+  // Lines of a width in pixels, nearer than they are by a rank where they coincide with others.
+  lines(positions, color, linewidth, rank = 0) {
+    const material = new LineMaterial({
+      color, linewidth, polygonOffset: true, polygonOffsetFactor: -rank, polygonOffsetUnits: -8 * rank,
+    });
     this.materials.push(material);
     const geometry = new LineSegmentsGeometry();
     geometry.setPositions(positions.length ? positions : [0, 0, 0, 0, 0, 0]);
@@ -184,11 +189,8 @@ export class Picture {
   }
 
   // Looks from the direction of azimuth and elevation, in degrees.
-  look([azimuth, elevation]) {
-    const [a, e] = [azimuth, Math.min(89.99, Math.max(-89.99, elevation))].map(
-      (own) => (own * Math.PI) / 180,
-    );
-    const toward = new Vector3(Math.cos(e) * Math.cos(a), Math.cos(e) * Math.sin(a), Math.sin(e));
+  look(view) {
+    const toward = new Vector3(...direction(view));
     this.controls.target.set(0, 0, 0);
     this.camera.position.copy(toward.multiplyScalar(this.distance()));
     this.camera.near = 0.01;
@@ -248,7 +250,7 @@ export class Picture {
     mark.clear();
     const surface = this.surfaces[index];
     const cross = [...this.segments(line(surface, 0, s)), ...this.segments(line(surface, 1, t))];
-    mark.add(this.lines(cross, COLOURS.mark, 1.6));
+    mark.add(this.lines(cross, COLOURS.mark, 1.6, 3));
     const [u, v] = [at(surface, 0, s), at(surface, 1, t)];
     const point = this.placed(surface.sample(u, v).point);
     const dot = this.lines([...point, ...point.map((own) => own + 1e-6)], COLOURS.mark, 9);
@@ -256,6 +258,14 @@ export class Picture {
     mark.add(dot);
     this.resize();
   }
+}
+
+// The direction to the viewer; from straight above and below a little to the front, so that it is
+// known what is up.
+function direction([azimuth, elevation]) {
+  const bounded = Math.min(89.99, Math.max(-89.99, elevation));
+  const [a, e] = [azimuth, bounded].map((own) => (own * Math.PI) / 180);
+  return [Math.cos(e) * Math.cos(a), Math.cos(e) * Math.sin(a), Math.sin(e)];
 }
 
 const at = (surface, axis, ratio) => {
@@ -276,8 +286,8 @@ function sampled(surface, steps) {
 // The line at a fixed ratio along one axis.
 function line(surface, axis, ratio) {
   const fixed = at(surface, axis, ratio);
-  return Array.from({ length: LINE_STEPS + 1 }, (_, k) => {
-    const free = at(surface, 1 - axis, k / LINE_STEPS);
+  return Array.from({ length: STEPS + 1 }, (_, k) => {
+    const free = at(surface, 1 - axis, k / STEPS);
     return surface.sample(...(axis === 0 ? [fixed, free] : [free, fixed])).point;
   });
 }

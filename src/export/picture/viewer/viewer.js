@@ -27,7 +27,7 @@ const element = (name, properties = {}, ...children) => {
 const model = JSON.parse(document.getElementById("model").textContent);
 const surfaces = model.nets.map((own) => new Surface(own));
 const stage = document.getElementById("stage");
-const picture = new Picture(stage, surfaces, model.curves, model.view);
+const picture = new Picture(stage, surfaces, model.fronts, model.curves, model.view);
 
 for (const [name, angles] of Object.entries(VIEWS)) {
   const button = element("button", { type: "button", textContent: name });
@@ -106,7 +106,7 @@ function read(index, ratios) {
     element("p", { textContent: `${name} is the positive root of ${square}` }));
   const curvature = element("p", {
     textContent: point
-      ? `Gaussian curvature ≈ ${about(sample.gaussian)}, mean curvature ≈ ${about(sample.mean)}`
+      ? `Gaussian curvature ≈ ${about(sample.gaussian)}, mean curvature ≈ ${about(sample.mean)}, for the normal R_u × R_v`
       : "the surface has no point there: W = 0",
   });
   const text = values.map((own, k) => `${names[k]} = ${field.spell(own)}`).join("\n");
