@@ -90,7 +90,7 @@ pub(super) struct CompileArguments {
     /// Where to write; beside the file if it is left out
     #[arg(short, long, value_name = "DIR")]
     pub(super) output: Option<PathBuf>,
-    /// What to write: a comma-separated list of `report`, `json`, `step`, `svg`
+    /// What to write: a comma-separated list of `report`, `json`, `step`, `svg`, `html`
     #[arg(
         long,
         value_delimiter = ',',
