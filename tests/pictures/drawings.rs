@@ -192,6 +192,34 @@ fn surfaces_that_share_edges_are_drawn_together() {
     assert_eq!(names("paper/quarter_torus.sweep"), ["quarter_torus-R.svg"]);
 }
 
+#[test]
+fn a_long_caption_has_several_lines() {
+    let squares: Vec<_> = (0..9).map(|own| square(own, 0, 0, 1)).collect();
+    let names = [
+        "first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth",
+    ];
+    let parts: Vec<_> = names.into_iter().zip(squares).collect();
+    let text = written("svg", &model(&parts), "iso");
+    let drawing = Document::parse(&text).unwrap();
+    let captions = drawing
+        .descendants()
+        .filter(|own| own.attribute("font-size") == Some("14"));
+    let lines: Vec<String> = captions
+        .map(|own| {
+            own.descendants()
+                .filter_map(|own| own.text().filter(|_| own.is_text()))
+                .collect()
+        })
+        .collect();
+    assert!(
+        lines.len() > 1 && lines.iter().all(|own| own.chars().count() <= 82),
+        "{lines:?}"
+    );
+    let all = lines.join("; ");
+    let told = names.map(|own| format!("{own}, bidegree (1, 1)"));
+    assert_eq!(all, told.join("; "));
+}
+
 /// `cargo run --release -- compile examples/paper/example_2.sweep --emit svg -o examples/pictures`
 #[test]
 fn the_picture_of_the_readme_is_up_to_date() {

@@ -133,7 +133,7 @@ async function lookAt({ example, page: name, at = [0.5, 0.5] }) {
     assert.ok(await page.locator("#scale").isVisible());
   }
   await page.selectOption("#tools select", "gaussian");
-  await page.getByRole("button", { name: "iso" }).click();
+  await page.getByRole("button", { name: "start" }).click();
   compare(`${name}-gaussian`, await canvas.screenshot({ style: "header, #tools, #scale { visibility: hidden }" }));
   assert.deepEqual(told, [], `${name} tells something on the console`);
   await close();

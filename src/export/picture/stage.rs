@@ -6,7 +6,7 @@
 
 use super::View;
 use super::camera::Camera;
-use super::vector::Vector;
+use super::vector::{Vector, between, minus};
 
 /// The width of a picture.
 pub(super) const WIDTH: f64 = 720.0;
@@ -22,7 +22,7 @@ const FOOT: f64 = 88.0;
 pub(super) struct Stage {
     camera: Camera,
     scale: f64,
-    offset: Vector,
+    middle: Vector,
     /// The height of the picture.
     pub(super) height: f64,
 }
@@ -44,26 +44,23 @@ impl Stage {
         let room = WIDTH - 2.0 * MARGIN;
         let scale = (room / extent[0]).min(GREATEST_HEIGHT / extent[1]);
         let scale = if scale.is_finite() { scale } else { 1.0 };
-        let middle = [0, 1, 2].map(|axis| (least[axis] + greatest[axis]) / 2.0 * scale);
+        let middle = between(least, greatest, 0.5);
         let middle = middle.map(|own| if own.is_finite() { own } else { 0.0 });
         let drawn = (extent[1] * scale).clamp(0.0, GREATEST_HEIGHT);
         let height = (drawn + MARGIN + FOOT).ceil();
         Self {
             camera,
             scale,
-            offset: [
-                WIDTH / 2.0 - middle[0],
-                MARGIN + drawn / 2.0 - middle[1],
-                -middle[2],
-            ],
+            middle,
             height,
         }
     }
 
     /// Where a point is seen, with its depth in the same scale.
     pub(super) fn place(&self, point: Vector) -> Vector {
-        let seen = self.direction(point);
-        [0, 1, 2].map(|axis| self.scale * seen[axis] + self.offset[axis])
+        let [x, y, depth] = minus(self.direction(point), self.middle).map(|own| self.scale * own);
+        let middle = self.middle();
+        [x + middle[0], y + middle[1], depth]
     }
 
     /// Where a direction points, in the picture and out of it; not scaled.

@@ -25,6 +25,10 @@ pub(in crate::export) const EXPORTER: Exporter = Exporter {
 /// Dark and light of the side that most of a surface shows, and of the other.
 const FRONT: [[u8; 3]; 2] = [[0x8f, 0xa9, 0xc2], [0xf6, 0xf9, 0xfc]];
 const BACK: [[u8; 3]; 2] = [[0xc0, 0xad, 0x8c], [0xfc, 0xf8, 0xf0]];
+/// The letters of a line of the caption at most.
+const LETTERS: usize = 80;
+/// From one line of the caption to the next.
+const LINE: f64 = 19.0;
 /// The length of an axis of the triad.
 const AXIS: f64 = 26.0;
 
@@ -39,15 +43,16 @@ fn write(model: &Model, context: &Context<'_>) -> Result<Exported, ExportFault> 
 }
 
 fn document(figure: &Figure, model: &Model) -> String {
-    let caption = caption(model);
-    let (width, height) = (number(WIDTH), number(figure.stage.height));
+    let captions = captions(model);
+    let (bottom, text) = caption(&captions, figure.stage.height);
+    let (width, height) = (number(WIDTH), number(bottom));
     let mut lines = vec![
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" \
              width=\"{width}\" height=\"{height}\" role=\"img\" fill=\"none\" \
              stroke-linecap=\"round\" stroke-linejoin=\"round\">"
         ),
-        format!("<title>{}</title>", plain(&caption)),
+        format!("<title>{}</title>", plain(&captions.join("; "))),
         format!("<rect width=\"{width}\" height=\"{height}\" fill=\"#fff\"/>"),
     ];
     lines.extend(shades(&figure.shades));
@@ -81,12 +86,7 @@ fn document(figure: &Figure, model: &Model) -> String {
     lines.push(dots(clear, &figure.control_points));
     lines.extend(figure.curves.iter().map(curve));
     lines.push(axes(figure));
-    lines.push(format!(
-        "<text x=\"{}\" y=\"{}\" {SERIF} font-size=\"14\" text-anchor=\"middle\" \
-         fill=\"#1d2b3a\">{caption}</text>",
-        number(WIDTH / 2.0),
-        number(figure.stage.height - 22.0)
-    ));
+    lines.push(text);
     lines.push("</svg>\n".to_owned());
     lines.retain(|own| !own.is_empty());
     lines.join("\n")
@@ -221,8 +221,8 @@ fn axes(figure: &Figure) -> String {
     text
 }
 
-/// Names and bidegrees of the surfaces, with marks for italics.
-fn caption(model: &Model) -> String {
+/// The name and the bidegree of each surface, with marks for italics.
+fn captions(model: &Model) -> Vec<String> {
     let names = model.parts().iter().map(|own| {
         let degree = own.net.degree();
         format!(
@@ -232,7 +232,35 @@ fn caption(model: &Model) -> String {
             degree.v
         )
     });
-    names.collect::<Vec<_>>().join("; ")
+    names.collect()
+}
+
+/// The caption in as many lines as it needs, and the height of the picture with them.
+fn caption(captions: &[String], height: f64) -> (f64, String) {
+    let mut lines: Vec<String> = Vec::new();
+    for own in captions {
+        let letters = |text: &str| plain(text).chars().count();
+        match lines.last_mut() {
+            Some(line) if letters(line) + letters(own) < LETTERS => {
+                line.push_str(&format!("; {own}"));
+            }
+            _ => lines.push(own.clone()),
+        }
+    }
+    let (mut bottom, mut text) = (height, String::new());
+    for (index, line) in lines.iter().enumerate() {
+        if index > 0 {
+            bottom += LINE;
+            text.push('\n');
+        }
+        text.push_str(&format!(
+            "<text x=\"{}\" y=\"{}\" {SERIF} font-size=\"14\" text-anchor=\"middle\" \
+             fill=\"#1d2b3a\">{line}</text>",
+            number(WIDTH / 2.0),
+            number(bottom - 22.0)
+        ));
+    }
+    (bottom, text)
 }
 
 /// A text without its marks.

@@ -11,7 +11,7 @@ const DIGITS = 30;
 const STILL = 4;
 
 const VIEWS = {
-  iso: null, front: [-90, 0], right: [0, 0], top: [-90, 90],
+  start: null, front: [-90, 0], right: [0, 0], top: [-90, 90],
 };
 const SHOWN = {
   surface: "surface", isoparametric: "isoparametric lines", edges: "edges", net: "control net",
