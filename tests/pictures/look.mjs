@@ -17,7 +17,9 @@ const kept = new URL("kept/", import.meta.url);
 const seen = new URL("out/", import.meta.url);
 const SIZE = { width: 1280, height: 800 };
 // The part of the pixels that may differ from the kept picture: browsers smooth lines in their ways.
-const TOLERANCE = 0.02;
+const TOLERANCE = 0.001;
+// The pixels that each part of a picture changes at least.
+const PART = 200;
 const THRESHOLD = 0.2;
 
 // An example, the page to look at, and the surface that a click in the middle meets.
@@ -48,6 +50,11 @@ function proves(example, surface, [u, v], coordinates, generators) {
   return own.status === 0;
 }
 
+function difference(one, other) {
+  const { width, height } = one;
+  return pixelmatch(one.data, other.data, null, width, height, { threshold: THRESHOLD });
+}
+
 function compare(name, bytes) {
   mkdirSync(seen, { recursive: true });
   mkdirSync(kept, { recursive: true });
@@ -64,7 +71,7 @@ function compare(name, bytes) {
   const other = PNG.sync.read(readFileSync(place));
   const { width, height } = picture;
   assert.deepEqual([other.width, other.height], [width, height], name);
-  const count = pixelmatch(picture.data, other.data, null, width, height, { threshold: THRESHOLD });
+  const count = difference(picture, other);
   const part = count / (width * height);
   assert.ok(part <= TOLERANCE, `${name} differs from the kept picture in ${count} pixels`);
   console.log(`${name}: ${count} of ${width * height} pixels differ`);
@@ -101,6 +108,15 @@ async function lookAt({ example, page: name, at = [0.5, 0.5] }) {
   await page.waitForSelector("html[data-ready]", { timeout: 60_000 });
   const canvas = page.locator("#stage canvas");
   compare(`${name}-page`, await canvas.screenshot({ style: "header, #tools { visibility: hidden }" }));
+
+  const whole = PNG.sync.read(await canvas.screenshot());
+  for (const part of ["surface", "isoparametric", "edges", "net", "curves"]) {
+    const shown = page.locator(`#shown input[name=${part}]`);
+    await shown.uncheck();
+    const count = difference(PNG.sync.read(await canvas.screenshot()), whole);
+    assert.ok(count > PART, `${name} without ${part}: ${count}`);
+    await shown.check();
+  }
 
   const box = await canvas.boundingBox();
   const [x, y] = [box.x + at[0] * box.width, box.y + at[1] * box.height];
