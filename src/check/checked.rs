@@ -10,7 +10,7 @@ use super::offset::rational_offset;
 use super::pole::zeros_on;
 use super::regular::regular;
 use super::weights::weight_range;
-use super::{AffineDegree, Verdict, WeightRange};
+use super::{AffineDegree, Positivity, Verdict, WeightRange};
 
 /// A surface whose degrees, common factor, poles and weights are known.
 #[derive(Debug, Clone)]
@@ -19,6 +19,7 @@ pub struct Checked {
     expansion: Expansion,
     affine: [AffineDegree; 3],
     weights: Option<WeightRange>,
+    positivity: Result<Positivity, &'static str>,
     poles: Vec<ZeroSet<Real>>,
     shared_zeros: Vec<ZeroSet<Real>>,
     regular: Verdict,
@@ -52,12 +53,20 @@ impl Checked {
             (Verdict::Undecided(reason), Vec::new())
         };
         let weights = weight_range(surface.weight(), surface.bidegree(), domain);
+        let positivity = if !poles.is_empty() {
+            Err("W vanishes on the domain")
+        } else if weights.as_ref().is_some_and(WeightRange::is_positive) {
+            Ok(Positivity::of_one_patch(surface.bidegree(), domain))
+        } else {
+            Positivity::of(surface.weight(), surface.bidegree(), domain)
+        };
         Ok(Self {
             affine: affine_degrees(surface),
             regular,
             singular,
             rational_offset: rational_offset(&direction),
             weights,
+            positivity,
             poles,
             shared_zeros: zeros_on(&expansion.common_factor, domain),
             expansion,
@@ -105,6 +114,15 @@ impl Checked {
     #[must_use]
     pub fn weights(&self) -> Option<&WeightRange> {
         self.weights.as_ref()
+    }
+
+    /// Patches with positive weights.
+    ///
+    /// # Errors
+    ///
+    /// Why there are none, in a few words.
+    pub fn positivity(&self) -> Result<&Positivity, &'static str> {
+        self.positivity.as_ref().map_err(|reason| *reason)
     }
 
     /// Where W vanishes on the domain.

@@ -5,10 +5,12 @@
 
 mod affine;
 mod checked;
+mod cuts;
 mod direction;
 mod expectation;
 mod offset;
 mod pole;
+mod positivity;
 mod regular;
 mod verdict;
 mod weights;
@@ -16,5 +18,6 @@ mod weights;
 pub use affine::AffineDegree;
 pub use checked::Checked;
 pub use expectation::{Judgement, judge};
+pub use positivity::Positivity;
 pub use verdict::Verdict;
 pub use weights::WeightRange;

@@ -43,6 +43,20 @@ impl Interval {
         let part = &Real::from(numerator) / &Real::from(denominator);
         &self.start + &(&(&self.end - &self.start) * &part)
     }
+
+    /// Its equal parts, in order.
+    #[must_use]
+    pub fn divided(&self, count: usize) -> Vec<Self> {
+        let count = i64::try_from(count).unwrap_or(i64::MAX);
+        let end = |index| match index {
+            0 => self.start.clone(),
+            _ if index == count => self.end.clone(),
+            _ => self.fraction(index, count),
+        };
+        let parts = (0..count).map(|index| (end(index), end(index + 1)));
+        let parts = parts.map(|(start, end)| Self { start, end });
+        parts.collect()
+    }
 }
 
 impl fmt::Display for Interval {

@@ -34,3 +34,24 @@ pub enum Fidelity {
     /// Drawn for the eye.
     Drawn,
 }
+
+impl Fidelity {
+    /// That of a file which holds both: the greater difference.
+    #[must_use]
+    pub fn worse(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::Exact, other) | (other, Self::Exact) => other,
+            (Self::Rounded { max_error: one }, Self::Rounded { max_error: other }) => {
+                Self::Rounded {
+                    max_error: one.zip(other).map(|(one, other)| one.max(other)),
+                }
+            }
+            (Self::Tessellated { chord_error: one }, Self::Tessellated { chord_error: other }) => {
+                Self::Tessellated {
+                    chord_error: one.max(other),
+                }
+            }
+            (own @ Self::Tessellated { .. }, _) | (_, own) => own,
+        }
+    }
+}

@@ -4,6 +4,7 @@
 //! with the reason and the way out; what is lost on the way is told by [`Fidelity`].
 
 mod approx;
+mod boundary;
 mod context;
 mod exported;
 mod fault;

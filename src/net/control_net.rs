@@ -40,6 +40,25 @@ impl ControlNet {
         })
     }
 
+    /// The net of homogeneous control points (W, X, Y, Z), listed i by i and j within i, scaled so
+    /// that the first weight is 1.
+    ///
+    /// None if the number of points is not what the knots ask for, or if the first weight is 0.
+    #[must_use]
+    pub fn from_homogeneous(
+        knots_u: Knots,
+        knots_v: Knots,
+        controls: &[[Real; 4]],
+    ) -> Option<Self> {
+        let scale = controls.first()?[0].inverse()?;
+        let weights = controls.iter().map(|[weight, ..]| weight.times(&scale));
+        let points = controls.iter().map(|[weight, point @ ..]| {
+            let divisor = weight.inverse().unwrap_or_else(|| scale.clone());
+            point.each_ref().map(|own| own.times(&divisor))
+        });
+        Self::new(knots_u, knots_v, weights.collect(), points.collect())
+    }
+
     /// The one Bézier patch of the surface (W, X, Y, Z) over the domain u × v.
     ///
     /// None if W is 0 at the domain's first corner, or if the domain is empty.

@@ -1,5 +1,5 @@
 use crate::number::{Field, Real};
-use crate::poly::{UniPoly, bernstein, from_bernstein, gcd_all};
+use crate::poly::{RealRoot, UniPoly, bernstein, from_bernstein, gcd_all, real_roots};
 
 use super::Knots;
 
@@ -94,6 +94,31 @@ impl CurveNet {
         let [weight, point @ ..] = knots.blend(&self.homogeneous(), at)?;
         let scale = weight.inverse()?;
         Some(point.map(|own| own.times(&scale)))
+    }
+
+    /// Whether a point lies in the box of the control points, which holds the curve if the weights
+    /// are positive.
+    pub(super) fn may_pass(&self, point: &[Real; 3]) -> bool {
+        [0, 1, 2].into_iter().all(|axis| {
+            let values = || self.points.iter().map(|own| &own[axis]);
+            let (least, greatest) = (values().min(), values().max());
+            least <= Some(&point[axis]) && Some(&point[axis]) <= greatest
+        })
+    }
+
+    /// The parameters inside (0, 1), ascending, where the curve passes a point, as far as they lie
+    /// in the field of its numbers.
+    #[must_use]
+    pub fn parameters_of(&self, point: &[Real; 3]) -> Vec<Real> {
+        let [weight, coordinates @ ..] = self.polynomials();
+        let apart = coordinates.iter().zip(point);
+        let apart = apart.map(|(own, place)| own - &weight.scale(place));
+        let common = gcd_all(&apart.collect::<Vec<_>>());
+        let (zero, one) = (Real::zero(), Real::one());
+        let roots = real_roots(&common, &zero, &one).into_iter();
+        let roots = roots.filter(RealRoot::is_exact);
+        let places = roots.map(|own| own.lower().clone());
+        places.filter(|own| *own != zero && *own != one).collect()
     }
 
     /// W, X, Y, Z as polynomials.

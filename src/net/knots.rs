@@ -43,6 +43,12 @@ impl Knots {
         self.degree
     }
 
+    /// Whether there is one span.
+    #[must_use]
+    pub fn is_bezier(&self) -> bool {
+        self.values.len() == 2 * self.degree + 2
+    }
+
     /// All knots, ascending, with their repetitions.
     #[must_use]
     pub fn values(&self) -> &[Real] {

@@ -6,14 +6,18 @@
 mod control_net;
 mod curve_net;
 mod edge;
+mod elevate;
 mod face;
+mod junction;
 mod knots;
 mod model;
+mod orientation;
 mod part;
 mod patch;
 mod sew;
 mod shell;
 mod side;
+mod subdivide;
 
 pub use control_net::ControlNet;
 pub use curve_net::CurveNet;

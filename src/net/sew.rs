@@ -1,5 +1,8 @@
+use std::rc::Rc;
+
 use crate::number::Real;
 
+use super::junction::split_where_others_end;
 use super::{ControlNet, CurveNet, Edge, EdgeId, Face, Part, Shell, Side, Use, VertexId};
 
 /// The shells of the patches of some parts.
@@ -10,16 +13,17 @@ pub(super) fn sew(parts: &[Part]) -> Vec<Shell> {
             let Some(sides) = sides(&patch.net) else {
                 continue;
             };
-            let sides = sides.map(|side| sewing.side(side));
+            let sides = sides.map(|(row, range)| sewing.side(row, range));
             sewing.all.faces.push(Face {
                 part,
                 net: patch.net.clone(),
-                surface: patch.surface.clone(),
+                surface: Rc::clone(&patch.surface),
                 sides,
             });
         }
     }
-    sewing.shells()
+    split_where_others_end(&mut sewing);
+    shells(sewing.all)
 }
 
 /// The boundary of a net of one span: south, east, north, west, each by its rising parameter, with
@@ -40,40 +44,46 @@ fn sides(net: &ControlNet) -> Option<[(CurveNet, (Real, Real)); 4]> {
 
 /// Faces, edges and vertices of all shells together.
 #[derive(Default)]
-struct Sewing {
-    all: Shell,
+pub(super) struct Sewing {
+    pub(super) all: Shell,
 }
 
 impl Sewing {
-    /// A side by its curve: an edge that is known already, or a new one.
-    fn side(&mut self, (row, range): (CurveNet, (Real, Real))) -> Side {
+    fn side(&mut self, row: CurveNet, range: (Real, Real)) -> Side {
         let curve = row.reduced();
-        let start = self.vertex(curve.start());
         if curve.degree() == 0 {
-            return Side::Point(start);
+            return Side::Point(self.vertex(curve.start()));
         }
+        let (edge, reversed) = self.edge(curve, row);
+        Side::Edges(vec![Use {
+            edge,
+            reversed,
+            range,
+        }])
+    }
+
+    /// The edge along a curve, and whether it runs the other way: one that is known already, or a
+    /// new one.
+    pub(super) fn edge(&mut self, curve: CurveNet, row: CurveNet) -> (EdgeId, bool) {
+        let start = self.vertex(curve.start());
         let end = self.vertex(curve.end());
-        let known = self.all.edges.iter().enumerate().find_map(|(edge, own)| {
+        let edges = &mut self.all.edges;
+        let known = edges.iter().enumerate().find_map(|(edge, own)| {
             if (own.start, own.end) == (start, end) && own.curve == curve {
                 return Some((edge, false));
             }
             let turned = (own.end, own.start) == (start, end) && own.curve.reversed() == curve;
             turned.then_some((edge, true))
         });
-        let (edge, reversed) = known.unwrap_or((self.all.edges.len(), false));
-        if edge == self.all.edges.len() {
-            self.all.edges.push(Edge {
+        known.unwrap_or_else(|| {
+            edges.push(Edge {
                 curve,
                 row,
                 start,
                 end,
             });
-        }
-        Side::Edges(vec![Use {
-            edge,
-            reversed,
-            range,
-        }])
+            (edges.len() - 1, false)
+        })
     }
 
     fn vertex(&mut self, point: &[Real; 3]) -> VertexId {
@@ -84,57 +94,53 @@ impl Sewing {
             vertices.len() - 1
         })
     }
-
-    /// The shells, each with its own edges and vertices.
-    fn shells(self) -> Vec<Shell> {
-        let (edges, vertices) = (&self.all.edges, &self.all.vertices);
-        // The first face of each face's shell, as far as it is known.
-        let mut first: Vec<usize> = (0..self.all.faces.len()).collect();
-        let mut first_with_edge = vec![None; edges.len()];
-        for (index, face) in self.all.faces.iter().enumerate() {
-            for own in uses(face) {
-                let (one, other) = (
-                    first[*first_with_edge[own.edge].get_or_insert(index)],
-                    first[index],
-                );
-                let (low, high) = (one.min(other), one.max(other));
-                let same = first.iter_mut().filter(|own| **own == high);
-                same.for_each(|own| *own = low);
-            }
-        }
-        let mut groups: Vec<(usize, Vec<Face>)> = Vec::new();
-        for (face, first) in self.all.faces.into_iter().zip(first) {
-            match groups.iter_mut().find(|(own, _)| *own == first) {
-                Some((_, faces)) => faces.push(face),
-                None => groups.push((first, vec![face])),
-            }
-        }
-        let groups = groups.into_iter();
-        groups
-            .map(|(_, faces)| shell(faces, edges, vertices))
-            .collect()
-    }
 }
 
-/// The edges that a face uses.
-fn uses(face: &Face) -> impl Iterator<Item = &Use> {
-    face.sides.iter().flat_map(|side| match side {
-        Side::Point(_) => &[],
-        Side::Edges(uses) => uses.as_slice(),
-    })
+/// The shells, each with its own edges and vertices.
+fn shells(all: Shell) -> Vec<Shell> {
+    let Shell {
+        faces,
+        edges,
+        vertices,
+    } = all;
+    // The first face of each face's shell, as far as it is known.
+    let mut first: Vec<usize> = (0..faces.len()).collect();
+    let mut last_with_edge = vec![None; edges.len()];
+    for (index, face) in faces.iter().enumerate() {
+        for own in face.uses() {
+            let neighbour: usize = last_with_edge[own.edge].replace(index).unwrap_or(index);
+            // A face that is there twice is no neighbour of itself.
+            if neighbour != index && faces[neighbour].coincides(face) {
+                continue;
+            }
+            let (one, other) = (first[neighbour], first[index]);
+            let (low, high) = (one.min(other), one.max(other));
+            let same = first.iter_mut().filter(|own| **own == high);
+            same.for_each(|own| *own = low);
+        }
+    }
+    let mut groups: Vec<(usize, Vec<Face>)> = Vec::new();
+    for (face, first) in faces.into_iter().zip(first) {
+        match groups.iter_mut().find(|(own, _)| *own == first) {
+            Some((_, faces)) => faces.push(face),
+            None => groups.push((first, vec![face])),
+        }
+    }
+    let groups = groups.into_iter();
+    groups
+        .map(|(_, faces)| shell(faces, &edges, &vertices))
+        .collect()
 }
 
 /// Faces with the edges and vertices that they use, numbered anew.
 fn shell(mut faces: Vec<Face>, edges: &[Edge], vertices: &[[Real; 3]]) -> Shell {
     let mut shell = Shell::default();
-    let mut known_edges: Vec<EdgeId> = Vec::new();
-    let mut known_vertices: Vec<VertexId> = Vec::new();
+    let mut known_edges: Vec<Option<EdgeId>> = vec![None; edges.len()];
+    let mut known_vertices: Vec<Option<VertexId>> = vec![None; vertices.len()];
     let mut vertex = |old: VertexId, shell: &mut Shell| {
-        let known = known_vertices.iter().position(|own| *own == old);
-        known.unwrap_or_else(|| {
-            known_vertices.push(old);
+        *known_vertices[old].get_or_insert_with(|| {
             shell.vertices.push(vertices[old].clone());
-            known_vertices.len() - 1
+            shell.vertices.len() - 1
         })
     };
     for side in faces.iter_mut().flat_map(|face| &mut face.sides) {
@@ -142,18 +148,16 @@ fn shell(mut faces: Vec<Face>, edges: &[Edge], vertices: &[[Real; 3]]) -> Shell 
             Side::Point(old) => *old = vertex(*old, &mut shell),
             Side::Edges(uses) => {
                 for own in uses {
-                    let known = known_edges.iter().position(|old| *old == own.edge);
-                    own.edge = known.unwrap_or_else(|| {
+                    own.edge = *known_edges[own.edge].get_or_insert_with(|| {
                         let edge = &edges[own.edge];
                         let start = vertex(edge.start, &mut shell);
                         let end = vertex(edge.end, &mut shell);
-                        known_edges.push(own.edge);
                         shell.edges.push(Edge {
                             start,
                             end,
                             ..edge.clone()
                         });
-                        known_edges.len() - 1
+                        shell.edges.len() - 1
                     });
                 }
             }

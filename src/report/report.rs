@@ -2,10 +2,11 @@ use std::rc::Rc;
 
 use serde::Serialize;
 
-use crate::check::{AffineDegree, Checked, Judgement, Verdict};
+use crate::check::{AffineDegree, Checked, Judgement, Positivity, Verdict};
 use crate::curve::{Curve, Interval};
 use crate::number::{Basis, Field, Real, Unit};
 use crate::poly::{BiDegree, BiPoly, Coprimality, UniPoly, ZeroKind, ZeroSet};
+use crate::sweep::Domain;
 
 use super::curve::{CurveReport, arc_length};
 
@@ -118,6 +119,8 @@ pub(super) struct Remarks {
     pub(super) regular: Verdict,
     pub(super) rational_offset: Verdict,
     pub(super) weights: Option<(String, String)>,
+    /// In which form the weights are positive, where the one patch is not enough; or why in none.
+    pub(super) positivity: Option<String>,
     pub(super) poles: Vec<String>,
 }
 
@@ -177,6 +180,15 @@ pub(super) struct WeightsReport {
     pub(super) positive: bool,
     pub(super) min: Option<String>,
     pub(super) max: Option<String>,
+    /// Null if there are poles, or if none was found.
+    pub(super) certificate: Option<CertificateReport>,
+}
+
+/// Patches whose weights are all positive.
+#[derive(Debug, Clone, Serialize)]
+pub(super) struct CertificateReport {
+    pub(super) bidegree: [usize; 2],
+    pub(super) rectangles: Vec<DomainReport>,
 }
 
 #[derive(Debug, Clone, Serialize)]
@@ -219,10 +231,7 @@ impl SurfaceReport {
         let range = surface.weights();
         Self {
             name: surface.name().to_owned(),
-            domain: DomainReport {
-                u: ends(&surface.domain().u, basis),
-                v: ends(&surface.domain().v, basis),
-            },
+            domain: domain(surface.domain(), basis),
             homogeneous: Coordinates::of(
                 homogeneous
                     .coordinates()
@@ -242,6 +251,7 @@ impl SurfaceReport {
                 positive: range.is_some_and(crate::check::WeightRange::is_positive),
                 min: range.map(|range| basis.spell(&range.min)),
                 max: range.map(|range| basis.spell(&range.max)),
+                certificate: surface.positivity().ok().map(|own| certificate(own, basis)),
             },
             poles: surface
                 .poles()
@@ -279,8 +289,46 @@ fn remarks(surface: &Checked, names: &Basis) -> Remarks {
         weights: surface
             .weights()
             .map(|range| (number(&range.min), number(&range.max))),
+        positivity: positivity(surface),
         poles: surface.poles().iter().map(ToString::to_string).collect(),
     }
+}
+
+/// How the weights become positive where those of the one patch are not.
+fn positivity(surface: &Checked) -> Option<String> {
+    let Ok(own) = surface.positivity() else {
+        let reason = surface
+            .positivity()
+            .err()
+            .filter(|_| surface.poles().is_empty());
+        return reason.map(|reason| format!("no patches with positive weights: {reason}"));
+    };
+    let degree = surface.surface().bidegree();
+    let raised = |text| {
+        if own.degree == degree {
+            text
+        } else {
+            format!(
+                "{text}, elevated to bidegree ({}, {})",
+                own.degree.u, own.degree.v
+            )
+        }
+    };
+    if own.rectangles.len() == 1 {
+        let text = "positive as one patch".to_owned();
+        return (own.degree != degree).then(|| raised(text));
+    }
+    let text = format!("positive in {} patches", own.rectangles.len());
+    let Some(cuts) = own.cuts() else {
+        return Some(raised(format!("{text}, by halving")));
+    };
+    let named = ["u", "v"].into_iter().zip(&cuts);
+    let cuts = named.filter(|(_, own)| !own.is_empty()).map(|(name, own)| {
+        let places: Vec<_> = own.iter().map(|own| number(own)).collect();
+        format!("{name} = {}", places.join(", "))
+    });
+    let cuts: Vec<_> = cuts.collect();
+    Some(raised(format!("{text}, cut at {}", cuts.join(" and "))))
 }
 
 /// A number as a reader wants it: exact where that is short, else its first digits.
@@ -299,6 +347,21 @@ fn pair(degree: Option<BiDegree>) -> Option<[usize; 2]> {
 
 fn ends(interval: &Interval, basis: &Basis) -> [String; 2] {
     [interval.start(), interval.end()].map(|end| basis.spell(end))
+}
+
+fn domain(domain: &Domain, basis: &Basis) -> DomainReport {
+    DomainReport {
+        u: ends(&domain.u, basis),
+        v: ends(&domain.v, basis),
+    }
+}
+
+fn certificate(positivity: &Positivity, basis: &Basis) -> CertificateReport {
+    let rectangles = positivity.rectangles.iter();
+    CertificateReport {
+        bidegree: [positivity.degree.u, positivity.degree.v],
+        rectangles: rectangles.map(|own| domain(own, basis)).collect(),
+    }
 }
 
 fn polynomial(polynomial: &BiPoly<Real>, basis: &Basis) -> PolynomialReport {

@@ -183,13 +183,13 @@ fn weights(surface: &SurfaceReport) -> String {
     } else {
         "not all positive"
     };
-    match &surface.remarks.weights {
-        Some((min, max)) if min == max => format!("all {min}"),
-        Some((min, max)) if !surface.weights.positive && surface.poles.is_empty() => {
-            format!("{sign}, from {min} to {max}: in this form only, W is positive on the domain")
+    match (&surface.remarks.weights, &surface.remarks.positivity) {
+        (Some((min, max)), _) if min == max => format!("all {min}"),
+        (Some((min, max)), Some(positivity)) => {
+            format!("{positivity}; in the one patch of the net from {min} to {max}")
         }
-        Some((min, max)) => format!("{sign}, from {min} to {max}"),
-        None => "the first weight is 0".to_owned(),
+        (Some((min, max)), None) => format!("{sign}, from {min} to {max}"),
+        (None, _) => "the first weight is 0".to_owned(),
     }
 }
 

@@ -28,6 +28,28 @@ impl Domain {
             v: Interval::unit(),
         }
     }
+
+    /// The rectangle between bounds of u and of v; none if it is empty.
+    #[must_use]
+    pub fn new(u: (Real, Real), v: (Real, Real)) -> Option<Self> {
+        Some(Self {
+            u: Interval::new(u.0, u.1)?,
+            v: Interval::new(v.0, v.1)?,
+        })
+    }
+
+    /// Its parts, so many along u and so many along v, all equal, in order of u, then v.
+    #[must_use]
+    pub fn divided(&self, (along_u, along_v): (usize, usize)) -> Vec<Self> {
+        let (rows, columns) = (self.u.divided(along_u), self.v.divided(along_v));
+        let part = |u: &Interval, v: &Interval| Self {
+            u: u.clone(),
+            v: v.clone(),
+        };
+        let rows = rows.iter();
+        rows.flat_map(|u| columns.iter().map(move |v| part(u, v)))
+            .collect()
+    }
 }
 
 /// A surface as it is written: three coordinate expressions on a domain.

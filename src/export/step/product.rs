@@ -2,7 +2,7 @@
 
 use super::Context;
 use super::entities::{Entities, Id, string};
-use super::face::Shape;
+use super::shell::Shape;
 use crate::number::Unit;
 
 /// The header: its records are filled and the time stamp is fixed, so that equal surfaces give

@@ -1,8 +1,9 @@
 //! What readers of STEP silently drop or damage, refused beforehand.
 
 use crate::diag::Code;
-use crate::net::{ControlNet, Knots};
+use crate::net::{ControlNet, Knots, Model, Part};
 use crate::number::{Field, Real};
+use crate::poly::BiDegree;
 
 use super::{Context, ExportFault, RoundedNet};
 use crate::export::Double;
@@ -12,9 +13,23 @@ const GREATEST_DEGREE: usize = 25;
 /// The quotient of the greatest weight by the least that is worth a warning.
 const LARGE_WEIGHT_RATIO: i64 = 1_000;
 
-/// Refuses degrees that readers drop.
-pub(super) fn check_degrees(net: &ControlNet) -> Result<(), ExportFault> {
-    let degree = net.degree();
+/// Refuses degrees that readers drop and weights that they cannot take; a warning where they may
+/// lose accuracy.
+pub(super) fn check(model: &Model, context: &Context) -> Result<Option<ExportFault>, ExportFault> {
+    let mut warning = None;
+    for part in model.parts() {
+        check_degrees(part.net.degree())?;
+        let patches = part.patches().map_err(|reason| no_patches(part, reason))?;
+        for patch in patches {
+            check_degrees(patch.net.degree())?;
+            let ratio = check_weights(&patch.net, context)?;
+            warning = warning.or(ratio);
+        }
+    }
+    Ok(warning)
+}
+
+fn check_degrees(degree: BiDegree) -> Result<(), ExportFault> {
     for (along, own) in [("u", degree.u), ("v", degree.v)] {
         let help = match own {
             0 => "a surface must move in both directions; the `json` file carries this net",
@@ -29,20 +44,20 @@ pub(super) fn check_degrees(net: &ControlNet) -> Result<(), ExportFault> {
     Ok(())
 }
 
-/// Refuses weights that readers cannot take; a warning where they may lose accuracy.
-pub(super) fn check_weights(
-    net: &ControlNet,
-    context: &Context,
-) -> Result<Option<ExportFault>, ExportFault> {
+/// The refusal of a surface without patches of positive weights.
+fn no_patches(part: &Part, reason: &str) -> ExportFault {
+    let least = part.net.min_weight().brief();
+    let message = format!(
+        "a control point has weight {least}; STEP carries positive weights only, and {reason}"
+    );
+    let help = "restrict the surface to a smaller domain, or write the `json` file, which carries any weights";
+    ExportFault::new(Code::E0304, message, help)
+}
+
+fn check_weights(net: &ControlNet, context: &Context) -> Result<Option<ExportFault>, ExportFault> {
     let (least, greatest) = (net.min_weight(), net.max_weight());
     let (low, high) = (least.brief(), greatest.brief());
     let fault = |code, message: String, help| ExportFault::new(code, message, help);
-    if !net.all_positive() {
-        let message =
-            format!("a control point has weight {low}; STEP carries positive weights only");
-        let help = "restrict the surface to a smaller domain, or write the `json` file, which carries any weights";
-        return Err(fault(Code::E0304, message, help));
-    }
     let above = |ratio: i64| *greatest > least.times(&Real::from(ratio));
     if above(Context::GREATEST_WEIGHT_RATIO) && !context.any_weight_ratio {
         let message = format!("the weights run from {low} to {high}, a factor above 10^6");
