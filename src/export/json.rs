@@ -5,6 +5,7 @@ use serde_json::json;
 use crate::net::{ControlNet, Knots, Model};
 use crate::number::{Basis, Real};
 
+use super::layout::{Layout, along, array, rows};
 use super::{Context, Double, ExportFault, Exported, Exporter, Fidelity, RoundedNet, single};
 
 pub(super) const EXPORTER: Exporter = Exporter {
@@ -46,10 +47,7 @@ pub(super) fn net_text(name: &str, net: &ControlNet, rounded: &RoundedNet) -> St
         ("points", rows(points.collect(), columns)),
         ("float", doubles(rounded)),
     ]);
-    let mut text = String::new();
-    file.print(0, &mut text);
-    text.push('\n');
-    text
+    file.into_text()
 }
 
 /// The member `float`: the doubles of knots, weights and points.
@@ -66,60 +64,6 @@ fn doubles(net: &RoundedNet) -> Layout {
         ("weights", Layout::Rows(weights.collect())),
         ("points", Layout::Rows(points.collect())),
     ])
-}
-
-/// A JSON text with its line breaks: one line for each member of an object and each row.
-enum Layout {
-    Object(Vec<(&'static str, Layout)>),
-    Rows(Vec<String>),
-    Line(String),
-}
-
-impl Layout {
-    /// A value on one line.
-    fn line(value: impl serde::Serialize) -> Self {
-        Self::Line(json!(value).to_string())
-    }
-
-    /// Appends the text; its first line begins where the text ends, the others are indented.
-    fn print(&self, depth: usize, text: &mut String) {
-        let margin = |depth| format!("\n{}", "  ".repeat(depth));
-        let comma = |index| if index > 0 { "," } else { "" };
-        match self {
-            Self::Line(line) => text.push_str(line),
-            Self::Rows(rows) => {
-                text.push('[');
-                for (index, row) in rows.iter().enumerate() {
-                    text.extend([comma(index), &margin(depth + 1), row]);
-                }
-                text.extend([&margin(depth), "]"]);
-            }
-            Self::Object(members) => {
-                text.push('{');
-                for (index, (key, value)) in members.iter().enumerate() {
-                    text.extend([comma(index), &margin(depth + 1), "\"", key, "\": "]);
-                    value.print(depth + 1, text);
-                }
-                text.extend([&margin(depth), "}"]);
-            }
-        }
-    }
-}
-
-/// What belongs to u and what to v.
-fn along(u: Layout, v: Layout) -> Layout {
-    Layout::Object(vec![("u", u), ("v", v)])
-}
-
-/// Rows of equal length, one line each.
-fn rows(items: Vec<String>, columns: usize) -> Layout {
-    let rows = items.chunks(columns);
-    Layout::Rows(rows.map(|row| array(row.iter().cloned())).collect())
-}
-
-/// An array on one line.
-fn array(items: impl Iterator<Item = String>) -> String {
-    format!("[{}]", items.collect::<Vec<_>>().join(", "))
 }
 
 /// The generators of the numbers of a net.

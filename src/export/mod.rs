@@ -8,11 +8,20 @@ mod boundary;
 mod context;
 mod exported;
 mod fault;
+mod geomdl;
 mod guide;
 mod json;
+mod layout;
 mod picture;
+mod premultiplied_net;
+mod refusal;
 mod rounded_net;
+mod rounding;
 mod step;
+mod three;
+mod truck;
+mod verb;
+mod written;
 
 use crate::diag::Code;
 use crate::net::{Model, Part};
@@ -23,6 +32,7 @@ pub use exported::{Exported, Fidelity};
 pub use fault::ExportFault;
 pub use guide::Guide;
 pub use picture::View;
+pub use premultiplied_net::PremultipliedNet;
 pub use rounded_net::RoundedNet;
 
 /// A file format.
@@ -63,4 +73,13 @@ fn single(model: &Model) -> Result<&Part, ExportFault> {
 }
 
 /// Every format.
-pub const ALL: &[Exporter] = &[json::EXPORTER, step::EXPORTER, picture::SVG, picture::HTML];
+pub const ALL: &[Exporter] = &[
+    json::EXPORTER,
+    step::EXPORTER,
+    geomdl::EXPORTER,
+    three::EXPORTER,
+    verb::EXPORTER,
+    truck::EXPORTER,
+    picture::SVG,
+    picture::HTML,
+];

@@ -1,10 +1,11 @@
 use std::collections::HashMap;
 
 use crate::diag::Code;
-use crate::net::{ControlNet, Knots};
+use crate::net::ControlNet;
 use crate::number::{Field, Rational, Real};
 
 use super::approx::magnitude;
+use super::rounding::{Rounding, distance, error, range, shape_stable};
 use super::{Double, ExportFault, Fidelity};
 
 /// The doubles of a net, each the one nearest to its exact number, and what was lost.
@@ -27,30 +28,20 @@ impl RoundedNet {
     ///
     /// - **errors** a number beyond the last double (E0306)
     pub fn new(net: &ControlNet) -> Result<Self, ExportFault> {
-        let mut tiny = Vec::new();
-        let mut round = |exact: &Real, what: &dyn Fn() -> String| {
-            let double = Double::nearest(exact).ok_or_else(|| too_large(exact, &what()))?;
-            if double.is_tiny() && !exact.is_zero() {
-                tiny.push(what());
-            }
-            Ok(double)
-        };
-        let mut knots = |knots: &Knots, along: &str| -> Result<Vec<_>, _> {
-            let what = || format!("a knot along {along}");
-            let values = knots.values().iter();
-            values.map(|own| round(own, &what)).collect()
-        };
-        let (knots_u, knots_v) = (knots(net.knots_u(), "u")?, knots(net.knots_v(), "v")?);
+        let mut rounding = Rounding::default();
+        let knots_u = rounding.knots(net.knots_u(), "u")?;
+        let knots_v = rounding.knots(net.knots_v(), "v")?;
         let mut weights = Vec::new();
         let mut points = Vec::new();
         for i in 0..net.rows() {
             let mut row = (Vec::new(), Vec::new());
             for j in 0..net.columns() {
-                row.0
-                    .push(round(net.weight(i, j), &|| format!("weight ({i}, {j})"))?);
+                let weight = rounding.round(net.weight(i, j), &|| format!("weight ({i}, {j})"))?;
+                row.0.push(weight);
                 let [x, y, z] = net.point(i, j);
-                let mut coordinate =
-                    |exact, name| round(exact, &|| format!("{name} of control point ({i}, {j})"));
+                let mut coordinate = |exact, name| {
+                    rounding.round(exact, &|| format!("{name} of control point ({i}, {j})"))
+                };
                 row.1.push([
                     coordinate(x, "x")?,
                     coordinate(y, "y")?,
@@ -67,7 +58,7 @@ impl RoundedNet {
             points,
             warnings: Vec::new(),
         };
-        rounded.warnings.extend(tiny_numbers(&tiny));
+        rounded.warnings.extend(rounding.warning());
         rounded.warnings.extend(rounded.merged_points(net));
         Ok(rounded)
     }
@@ -162,69 +153,4 @@ impl RoundedNet {
             "move the surface nearer to the origin, or read the exact numbers of the `json` file";
         Some(ExportFault::new(Code::W1008, message, help))
     }
-}
-
-/// A bound for the greatest distance of numbers from their doubles.
-fn error<'a>(pairs: impl Iterator<Item = (&'a Real, &'a Double)>) -> Rational {
-    let distances = pairs.map(|(exact, double)| distance(exact, double));
-    distances.max().unwrap_or_else(Rational::zero)
-}
-
-/// A bound for the distance of a number from its double, the distance itself if the number is
-/// rational.
-fn distance(exact: &Real, double: &Double) -> Rational {
-    let double = double.rational();
-    let ends = range(exact).map(|end| {
-        let gap = end.minus(&double);
-        if gap.sign().is_lt() {
-            gap.negated()
-        } else {
-            gap
-        }
-    });
-    let [lower, upper] = ends;
-    lower.max(upper)
-}
-
-/// Binary digits behind the point in a bound for an irrational number: more than doubles of
-/// coordinates have.
-const BOUND_BITS: u32 = 96;
-
-/// Rational bounds of a number; itself twice if it is rational.
-fn range(exact: &Real) -> [Rational; 2] {
-    match exact.as_rational() {
-        Some(rational) => [rational.clone(), rational],
-        None => exact.enclose(BOUND_BITS).ends(),
-    }
-}
-
-/// Whether moving the knots without merging any only changes the parametrisation: so it is if each
-/// inner knot is repeated as often as the degree says, and the spans are Bézier patches.
-fn shape_stable(knots: &Knots) -> bool {
-    let runs = knots.multiplicities();
-    runs.iter().all(|(_, count)| *count >= knots.degree())
-}
-
-fn too_large(exact: &Real, what: &str) -> ExportFault {
-    let message = format!(
-        "{what} is about {}, beyond the last double",
-        magnitude(exact)
-    );
-    ExportFault::new(
-        Code::E0306,
-        message,
-        "use a larger unit of length, or a scale in which the numbers are smaller",
-    )
-}
-
-fn tiny_numbers(items: &[String]) -> Option<ExportFault> {
-    let first = items.first()?;
-    let message = match items.len() {
-        1 => format!("{first} becomes zero or subnormal as a double"),
-        count => {
-            format!("{count} numbers become zero or subnormal as doubles, the first is {first}")
-        }
-    };
-    let help = "use a smaller unit of length, or read the exact numbers of the `json` file";
-    Some(ExportFault::new(Code::W1005, message, help))
 }

@@ -1,0 +1,177 @@
+//! What readers silently drop or damage, refused beforehand.
+
+use crate::diag::Code;
+use crate::net::{ControlNet, Knots, Model, Part};
+use crate::number::{Field, Real};
+use crate::poly::BiDegree;
+
+use super::{Context, Double, ExportFault, PremultipliedNet, RoundedNet};
+
+/// The greatest degree that readers of STEP and IGES know.
+pub(super) const GREATEST_DEGREE: usize = 25;
+/// The quotient of the greatest weight by the least that is worth a warning.
+const LARGE_WEIGHT_RATIO: i64 = 1_000;
+
+/// What the readers of a format take: patches with positive weights, up to a degree.
+pub(super) struct Readers {
+    /// The format, as it is written in words.
+    pub(super) format: &'static str,
+    /// The greatest degree; none if any will do.
+    pub(super) greatest_degree: Option<usize>,
+}
+
+impl Readers {
+    /// Refuses degrees that they drop and weights that they cannot take; a warning where they may
+    /// lose accuracy.
+    ///
+    /// - **errors** a degree of 0 or above the greatest (E0305); no patches with positive weights,
+    ///   or weights that differ by a factor above 10⁶ (E0304)
+    pub(super) fn check(
+        &self,
+        model: &Model,
+        context: &Context,
+    ) -> Result<Option<ExportFault>, ExportFault> {
+        let mut warning = None;
+        for part in model.parts() {
+            self.check_degrees(part.net.degree())?;
+            let patches = part.patches();
+            let patches = patches.map_err(|reason| self.no_patches(part, reason))?;
+            for patch in patches {
+                self.check_degrees(patch.net.degree())?;
+                let ratio = self.check_weights(&patch.net, context)?;
+                warning = warning.or(ratio);
+            }
+        }
+        Ok(warning)
+    }
+
+    /// Refuses degrees that they drop.
+    ///
+    /// - **errors** a degree of 0 or above the greatest (E0305)
+    pub(super) fn check_degrees(&self, degree: BiDegree) -> Result<(), ExportFault> {
+        let (format, greatest) = (self.format, self.greatest_degree);
+        let above = |own: usize| greatest.is_some_and(|greatest| own > greatest);
+        for (along, own) in [("u", degree.u), ("v", degree.v)] {
+            let help = match own {
+                0 => "a surface must move in both directions; the `json` file carries this net"
+                    .to_owned(),
+                own if !above(own) => continue,
+                _ => format!(
+                    "readers of {format} drop it without a word; use a profile or curve of lower degree, or the `json` file, which carries any degree"
+                ),
+            };
+            let carried = match greatest {
+                Some(greatest) => format!("1 to {greatest}"),
+                None => "1 and more".to_owned(),
+            };
+            let message = format!("degree {own} along {along}: {format} carries {carried}");
+            return Err(ExportFault::new(Code::E0305, message, help));
+        }
+        Ok(())
+    }
+
+    /// The refusal of a surface without patches of positive weights.
+    fn no_patches(&self, part: &Part, reason: &str) -> ExportFault {
+        let (format, least) = (self.format, part.net.min_weight().brief());
+        let message = format!(
+            "a control point has weight {least}; {format} carries positive weights only, and {reason}"
+        );
+        let help = "restrict the surface to a smaller domain, or write the `json` file, which carries any weights";
+        ExportFault::new(Code::E0304, message, help)
+    }
+
+    fn check_weights(
+        &self,
+        net: &ControlNet,
+        context: &Context,
+    ) -> Result<Option<ExportFault>, ExportFault> {
+        let format = self.format;
+        let (least, greatest) = (net.min_weight(), net.max_weight());
+        let (low, high) = (least.brief(), greatest.brief());
+        let fault = |code, message: String, help: String| ExportFault::new(code, message, help);
+        let above = |ratio: i64| *greatest > least.times(&Real::from(ratio));
+        if above(Context::GREATEST_WEIGHT_RATIO) && !context.any_weight_ratio {
+            let message = format!("the weights run from {low} to {high}, a factor above 10^6");
+            let help = format!(
+                "readers of {format} lose accuracy with such weights: restrict the surface to a smaller domain, or give `--allow-weight-ratio`"
+            );
+            return Err(fault(Code::E0304, message, help));
+        }
+        Ok(above(LARGE_WEIGHT_RATIO).then(|| {
+            let message = format!("the weights run from {low} to {high}, a factor above 10^3");
+            let help = format!(
+                "readers of {format} may lose accuracy: restrict the surface to a smaller domain"
+            );
+            fault(Code::W1006, message, help)
+        }))
+    }
+}
+
+/// Refuses a weight of 0 where points are stored as (x, y, z): its point is at infinity.
+///
+/// - **errors** such a weight (E0304)
+pub(super) fn check_affine(net: &ControlNet, format: &str) -> Result<(), ExportFault> {
+    if net.weights().iter().all(|own| !own.is_zero()) {
+        return Ok(());
+    }
+    let message = format!("a control point has weight 0: {format} has no points at infinity");
+    let help =
+        "write the `json`, `verb` or `truck` file, or restrict the surface to a smaller domain";
+    Err(ExportFault::new(Code::E0304, message, help))
+}
+
+/// Refuses weights that round to 0 and different knots that round to the same double.
+///
+/// - **errors** both (E0306)
+pub(super) fn check_doubles(net: &ControlNet, rounded: &RoundedNet) -> Result<(), ExportFault> {
+    let weights = net.weights().iter().zip(rounded.weights.iter().flatten());
+    check_weight_doubles(weights)?;
+    check_knots(net, [&rounded.knots_u, &rounded.knots_v])
+}
+
+/// Refuses what [`check_doubles`] refuses, where points are multiplied by their weights.
+///
+/// - **errors** a weight that rounds to 0, knots that merge (E0306)
+pub(super) fn check_premultiplied(
+    net: &ControlNet,
+    rounded: &PremultipliedNet,
+) -> Result<(), ExportFault> {
+    let doubles = rounded.points.iter().flatten().map(|[_, _, _, own]| own);
+    check_weight_doubles(net.weights().iter().zip(doubles))?;
+    check_knots(net, [&rounded.knots_u, &rounded.knots_v])
+}
+
+fn check_weight_doubles<'a>(
+    mut weights: impl Iterator<Item = (&'a Real, &'a Double)>,
+) -> Result<(), ExportFault> {
+    let vanishes = |(exact, double): (&Real, &Double)| double.is_zero() && !exact.is_zero();
+    if !weights.any(vanishes) {
+        return Ok(());
+    }
+    let message = "a weight that is not 0 becomes 0 as a double";
+    Err(ExportFault::new(Code::E0306, message, NARROW))
+}
+
+/// Refuses different knots that round to the same double.
+fn check_knots(net: &ControlNet, doubles: [&[Double]; 2]) -> Result<(), ExportFault> {
+    let merged = |(knots, doubles): (&Knots, &[Double])| {
+        let pairs = knots.values().windows(2).zip(doubles.windows(2));
+        let mut pairs =
+            pairs.filter(|(exact, double)| exact[0] != exact[1] && double[0] == double[1]);
+        pairs.next().map(|(exact, _)| {
+            format!(
+                "the knots {} and {} are the same double",
+                exact[0], exact[1]
+            )
+        })
+    };
+    let knots = [net.knots_u(), net.knots_v()].into_iter().zip(doubles);
+    match knots.filter_map(merged).next() {
+        Some(message) => Err(ExportFault::new(Code::E0306, message, NARROW)),
+        None => Ok(()),
+    }
+}
+
+/// The way out where numbers merge.
+const NARROW: &str =
+    "choose a domain whose ends differ more; the `json` file carries the exact numbers";
