@@ -34,6 +34,8 @@ pub struct Options {
     pub any_weight_ratio: bool,
     /// Where pictures are seen from.
     pub view: View,
+    /// Whether surfaces in IGES are trimmed by their boundary curves.
+    pub iges_trimmed: bool,
 }
 
 /// A step of a compilation that is done.
@@ -258,6 +260,7 @@ impl Compilation {
             any_weight_ratio: options.any_weight_ratio,
             view: options.view.clone(),
             report: shown.then(|| self.report_in(context.stem, &|_| 0)),
+            iges_trimmed: options.iges_trimmed,
             ..context
         }
     }

@@ -110,6 +110,9 @@ pub(super) struct CompileArguments {
     /// Write weights that differ by more than a factor of 10⁶
     #[arg(long)]
     pub(super) allow_weight_ratio: bool,
+    /// Trim the surfaces of `iges` by their boundary curves
+    #[arg(long)]
+    pub(super) iges_trimmed: bool,
 }
 
 #[derive(Debug, Args)]

@@ -21,6 +21,8 @@ pub struct Context<'a> {
     pub guides: Vec<Guide>,
     /// The degree report of the surfaces, for pages that show it.
     pub report: Option<Report>,
+    /// Whether surfaces in IGES are trimmed by their boundary curves.
+    pub iges_trimmed: bool,
 }
 
 impl<'a> Context<'a> {
@@ -47,6 +49,7 @@ impl<'a> Context<'a> {
             view: View::default(),
             guides: Vec::new(),
             report: None,
+            iges_trimmed: false,
         }
     }
 

@@ -10,6 +10,7 @@ mod exported;
 mod fault;
 mod geomdl;
 mod guide;
+mod iges;
 mod json;
 mod layout;
 mod picture;
@@ -76,6 +77,7 @@ fn single(model: &Model) -> Result<&Part, ExportFault> {
 pub const ALL: &[Exporter] = &[
     json::EXPORTER,
     step::EXPORTER,
+    iges::EXPORTER,
     geomdl::EXPORTER,
     three::EXPORTER,
     verb::EXPORTER,
