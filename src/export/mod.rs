@@ -13,6 +13,8 @@ mod guide;
 mod iges;
 mod json;
 mod layout;
+mod obj;
+mod opennurbs;
 mod picture;
 mod premultiplied_net;
 mod refusal;
@@ -78,10 +80,12 @@ pub const ALL: &[Exporter] = &[
     json::EXPORTER,
     step::EXPORTER,
     iges::EXPORTER,
+    opennurbs::EXPORTER,
     geomdl::EXPORTER,
     three::EXPORTER,
     verb::EXPORTER,
     truck::EXPORTER,
     picture::SVG,
     picture::HTML,
+    obj::EXPORTER,
 ];
