@@ -1,9 +1,9 @@
 //! JSON as the Python library geomdl exchanges it: `geomdl.exchange.import_json`.
 
-use crate::net::{Model, Part};
+use crate::net::{ControlNet, Model};
 
 use super::layout::{Layout, array};
-use super::refusal::{Readers, check_affine, check_doubles};
+use super::refusal::{Readers, affine_nets, check_doubles};
 use super::{Context, Double, ExportFault, Exported, Exporter, Fidelity, RoundedNet};
 
 pub(super) const EXPORTER: Exporter = Exporter {
@@ -20,19 +20,20 @@ const READERS: Readers = Readers {
 };
 
 /// - **errors** a degree of 0 (E0305); a number beyond the last double, or numbers that
-///   merge (E0306); a weight that is 0
+///   merge (E0306); a weight that is 0 and no patches
 ///   (E0304)
 fn write(model: &Model, _: &Context) -> Result<Exported, ExportFault> {
     let mut surfaces = Vec::new();
     let (mut fidelity, mut warnings) = (Fidelity::Exact, Vec::new());
     for part in model.parts() {
-        READERS.check_degrees(part.net.degree())?;
-        check_affine(&part.net, READERS.format)?;
-        let rounded = RoundedNet::new(&part.net)?;
-        check_doubles(&part.net, &rounded)?;
-        surfaces.push(surface(part, &rounded));
-        fidelity = fidelity.worse(rounded.fidelity(&part.net));
-        warnings.extend(rounded.warnings);
+        for net in affine_nets(part, READERS.format)? {
+            READERS.check_degrees(net.degree())?;
+            let rounded = RoundedNet::new(net)?;
+            check_doubles(net, &rounded)?;
+            surfaces.push(surface(&part.name, net, &rounded));
+            fidelity = fidelity.worse(rounded.fidelity(net));
+            warnings.extend(rounded.warnings);
+        }
     }
     let file = Layout::Object(vec![(
         "shape",
@@ -50,14 +51,14 @@ fn write(model: &Model, _: &Context) -> Result<Exported, ExportFault> {
 }
 
 /// One surface. The control points come in one list, i by i and j within i.
-fn surface(part: &Part, rounded: &RoundedNet) -> Layout {
+fn surface(name: &str, net: &ControlNet, rounded: &RoundedNet) -> Layout {
     let list = |values: &[Double]| array(values.iter().map(|own| own.json()));
     let points = rounded.points.iter().flatten();
     let weights = rounded.weights.iter().flatten().map(|own| own.json());
-    let (degree, net) = (part.net.degree(), &part.net);
+    let degree = net.degree();
     Layout::Object(vec![
         ("type", Layout::line("spline")),
-        ("name", Layout::line(&part.name)),
+        ("name", Layout::line(name)),
         ("rational", Layout::line(true)),
         ("dimension", Layout::line(3)),
         ("degree_u", Layout::line(degree.u)),

@@ -107,17 +107,36 @@ impl Readers {
     }
 }
 
-/// Refuses a weight of 0 where points are stored as (x, y, z): its point is at infinity.
+/// The nets of a surface for formats that store points as (x, y, z): the whole one, or its patches
+/// with positive weights where a point of the whole one is at infinity.
 ///
-/// - **errors** such a weight (E0304)
-pub(super) fn check_affine(net: &ControlNet, format: &str) -> Result<(), ExportFault> {
-    if net.weights().iter().all(|own| !own.is_zero()) {
-        return Ok(());
+/// - **errors** a weight of 0 and no such patches (E0304)
+pub(super) fn affine_nets<'a>(
+    part: &'a Part,
+    format: &str,
+) -> Result<Vec<&'a ControlNet>, ExportFault> {
+    if part.net.weights().iter().all(|own| !own.is_zero()) {
+        return Ok(vec![&part.net]);
     }
+    let patches = part.patches().map_err(|_| at_infinity(format))?;
+    Ok(patches.iter().map(|own| &own.net).collect())
+}
+
+/// The one of them, for formats that hold one.
+///
+/// - **errors** a weight of 0, and no or several patches (E0304)
+pub(super) fn affine_net<'a>(part: &'a Part, format: &str) -> Result<&'a ControlNet, ExportFault> {
+    match affine_nets(part, format)?.as_slice() {
+        [net] => Ok(net),
+        _ => Err(at_infinity(format)),
+    }
+}
+
+fn at_infinity(format: &str) -> ExportFault {
     let message = format!("a control point has weight 0: {format} has no points at infinity");
     let help =
         "write the `json`, `verb` or `truck` file, or restrict the surface to a smaller domain";
-    Err(ExportFault::new(Code::E0304, message, help))
+    ExportFault::new(Code::E0304, message, help)
 }
 
 /// Refuses weights that round to 0 and different knots that round to the same double.

@@ -3,7 +3,7 @@
 use crate::net::Model;
 
 use super::layout::{Layout, array};
-use super::refusal::{Readers, check_affine, check_doubles};
+use super::refusal::{Readers, affine_net, check_doubles};
 use super::{Context, Double, ExportFault, Exported, Exporter, RoundedNet, single};
 
 pub(super) const EXPORTER: Exporter = Exporter {
@@ -20,12 +20,11 @@ const READERS: Readers = Readers {
 };
 
 /// - **errors** a degree of 0 (E0305); a number beyond the last double, or numbers that
-///   merge (E0306); a weight that is 0
+///   merge (E0306); a weight that is 0 and no patches
 ///   (E0304)
 fn write(model: &Model, _: &Context) -> Result<Exported, ExportFault> {
-    let net = &single(model)?.net;
+    let net = affine_net(single(model)?, READERS.format)?;
     READERS.check_degrees(net.degree())?;
-    check_affine(net, READERS.format)?;
     let rounded = RoundedNet::new(net)?;
     check_doubles(net, &rounded)?;
     let list = |values: &[Double]| array(values.iter().map(|own| own.json()));

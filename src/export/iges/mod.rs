@@ -36,17 +36,15 @@ fn write(model: &Model, context: &Context) -> Result<Exported, ExportFault> {
     let ratio = READERS.check(model, context)?;
     let mut file = File::default();
     let mut written = Written::default();
-    let clear = if context.iges_trimmed {
-        with_clear_boundaries(model)?
-    } else {
-        None
-    };
-    match &clear {
+    // A closed patch becomes periodic in some readers, which drop its last row.
+    let clear = with_clear_boundaries(model)?;
+    let bounded = clear.as_ref();
+    match bounded.filter(|_| context.iges_trimmed) {
         Some(model) => trimmed::write(model, &mut written, &mut file)?,
-        None => write_bare(model, &mut written, &mut file)?,
+        None => write_bare(bounded.unwrap_or(model), &mut written, &mut file)?,
     }
     let text = file.text("Swept surfaces as rational B-splines.", &global(context)?);
-    let bare = (context.iges_trimmed && clear.is_none()).then(unbounded);
+    let bare = clear.is_none().then(unbounded);
     let warnings = written.warnings.into_iter().chain(ratio).chain(bare);
     Ok(Exported {
         bytes: text.into_bytes(),
