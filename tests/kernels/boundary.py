@@ -8,7 +8,7 @@ class Boundary:
     """The sides of some patches; equal curves are one edge, in either direction."""
 
     def __init__(self, nets, patches):
-        self.sides = []
+        self.sides, self.curves = [], set()
         for patch in patches:
             index, rectangle = owner(nets, patch)
             rows = nets.nets[index].patch(*rectangle, patch.degree)
@@ -18,6 +18,14 @@ class Boundary:
         self.keys = [
             [key(elevated(side, degree)) for side in own if not is_point(side)] for own in self.sides
         ]
+
+    def has(self, weights, points):
+        """Whether doubles are those of a side, in either direction."""
+        if not self.curves:
+            sides = (side for own in self.sides for side in own if not is_point(side))
+            both = (own for side in sides for own in (side, list(reversed(side))))
+            self.curves = {str(bits(affine([own]))) for own in both}
+        return str(bits(([weights], [points]))) in self.curves
 
     def collapsed(self):
         """The number of sides that are points."""

@@ -2,7 +2,7 @@
 
 from OCP.BRep import BRep_Tool
 from OCP.BRepCheck import BRepCheck_Analyzer
-from OCP.Geom import Geom_BSplineSurface
+from OCP.Geom import Geom_BSplineCurve, Geom_BSplineSurface
 from OCP.IFSelect import IFSelect_RetDone
 from OCP.IGESControl import IGESControl_Reader
 from OCP.Interface import Interface_Static
@@ -52,6 +52,12 @@ class Shape:
         edges = map(TopoDS.Edge, self.parts(TopAbs_EDGE))
         return max(BRep_Tool.Tolerance_s(own) for own in edges)
 
+    def curves(self):
+        """The weights and points of its edges that are not collapsed."""
+        edges = [TopoDS.Edge(own) for own in self.parts(TopAbs_EDGE)]
+        curves = [BRep_Tool.Curve_s(own, 0, 0) for own in edges if not BRep_Tool.Degenerated_s(own)]
+        return [controls(own) for own in curves]
+
     def patches(self):
         """Its faces as patches."""
         return [patch(TopoDS.Face(own)) for own in self.parts(TopAbs_FACE)]
@@ -67,6 +73,18 @@ def read_iges(path, unit):
     return Shape(IGESControl_Reader(), path, unit)
 
 
+def coordinates(point):
+    """x, y and z."""
+    return [point.X(), point.Y(), point.Z()]
+
+
+def controls(curve):
+    """The weights and points of a curve."""
+    assert isinstance(curve, Geom_BSplineCurve), type(curve)
+    places = range(1, curve.NbPoles() + 1)
+    return [curve.Weight(own) for own in places], [coordinates(curve.Pole(own)) for own in places]
+
+
 def patch(face):
     """The surface of a face."""
     surface = BRep_Tool.Surface_s(face)
@@ -74,9 +92,6 @@ def patch(face):
     assert not surface.IsUPeriodic() and not surface.IsVPeriodic(), "it was made periodic"
     rows = range(1, surface.NbUPoles() + 1)
     columns = range(1, surface.NbVPoles() + 1)
-
-    def coordinates(point):
-        return [point.X(), point.Y(), point.Z()]
 
     def evaluate(u, v):
         point = gp_Pnt()
