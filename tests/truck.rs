@@ -259,14 +259,17 @@ fn truck_reads_surfaces_that_are_joined_in_step_files() {
         let mut faces = 0;
         for shell in shells {
             for face in &shell.faces {
-                let read = Read::of(&face.surface);
-                let bits = read
-                    .points
-                    .iter()
-                    .flatten()
-                    .map(|own| own.map(f64::to_bits));
+                let rows = Read::of(&face.surface).points;
+                let bits = rows.iter().flatten().map(|own| own.map(f64::to_bits));
                 let bits: Vec<_> = bits.collect();
-                let owner = nets(&compiled).iter().any(|net| products(net) == bits);
+                // A face whose other side is outside has its parameters exchanged.
+                let (columns, rows) = (rows[0].len(), rows.len());
+                let places = (0..columns).flat_map(|j| (0..rows).map(move |i| i * columns + j));
+                let exchanged: Vec<_> = places.map(|own| bits[own]).collect();
+                let owner = nets(&compiled).iter().any(|net| {
+                    let expected = products(net);
+                    expected == bits || expected == exchanged
+                });
                 assert!(owner, "{name}");
             }
             faces += shell.faces.len();
