@@ -90,7 +90,8 @@ pub(super) struct CompileArguments {
     /// Where to write; beside the file if it is left out
     #[arg(short, long, value_name = "DIR")]
     pub(super) output: Option<PathBuf>,
-    /// What to write: a comma-separated list of `report`, `json`, `step`, `svg`, `html`
+    /// What to write: a comma-separated list of `report`, `json`, `step`, `iges`, `3dm`, `geomdl`,
+    /// `three`, `verb`, `truck`, `obj`, `svg`, `html`
     #[arg(
         long,
         value_delimiter = ',',
