@@ -66,7 +66,9 @@ def compile_one(compiler, source, folder, *emit):
         old.unlink()
     command = [compiler, "compile", source, "-o", folder, "--quiet", "--emit", *emit]
     run = subprocess.run(command, capture_output=True, text=True, check=False)
-    assert run.returncode == 0, f"{source}: {run.stderr}"
+    refused = set(re.findall(r"#~ (E\d+)", source.read_text(encoding="utf-8")))
+    found = set(re.findall(r"^error\[(E\d+)\]", run.stderr, re.MULTILINE))
+    assert found == refused, f"{source}: {run.stderr}"
     return sorted(folder.iterdir())
 
 
