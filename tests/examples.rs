@@ -15,6 +15,7 @@
 
 mod example_files;
 mod exchange;
+mod nets;
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -88,12 +89,23 @@ impl Example {
     fn surfaces(&self) -> Vec<(String, String, String)> {
         let mut nets = self.written("json");
         nets.retain(|(stem, _)| !stem.ends_with(".report"));
-        let steps = self.written("step");
+        let mut steps = self.written("step");
+        steps.retain(|(stem, _)| *stem != self.stem());
         assert_eq!(nets.len(), steps.len(), "{}", self.name);
         assert!(!nets.is_empty(), "{}", self.name);
         let pairs = nets.into_iter().zip(steps);
         let same = pairs.inspect(|(net, step)| assert_eq!(net.0, step.0));
         same.map(|(net, step)| (net.0, net.1, step.1)).collect()
+    }
+
+    /// The STEP file of all surfaces, if two of them share an edge.
+    fn together(&self) -> Option<String> {
+        let mut steps = self.written("step").into_iter();
+        steps.find_map(|(stem, text)| (stem == self.stem()).then_some(text))
+    }
+
+    fn stem(&self) -> &str {
+        self.path.file_stem().unwrap().to_str().unwrap()
     }
 
     /// The snapshots by name: the report, and the net of every surface without its doubles.
@@ -184,12 +196,47 @@ fn every_example_states_what_it_expects() {
 fn step_files_hold_the_doubles_of_the_nets() {
     for example in Example::all() {
         for (stem, net, step) in example.surfaces() {
-            let net: Value = serde_json::from_str(&net).unwrap();
-            let (points, weights) = Exchange::read(&step).surface();
-            assert_eq!(points, bits(&net["float"]["points"]), "{stem}");
-            assert_eq!(weights, bits(&net["float"]["weights"]), "{stem}");
+            let json: Value = serde_json::from_str(&net).unwrap();
+            let patches = Exchange::read(&step).patches();
+            if let [patch] = patches.as_slice()
+                && bits(&json["float"]["weights"]) == patch.weights
+            {
+                assert_eq!(patch.points, bits(&json["float"]["points"]), "{stem}");
+                continue;
+            }
+            let net = nets::read_json(&net);
+            for patch in &patches {
+                assert!(patch.is_part_of(&net), "{stem}");
+            }
         }
     }
+}
+
+#[test]
+fn surfaces_together_share_edges() {
+    let mut count = 0;
+    for example in Example::all() {
+        let Some(step) = example.together() else {
+            continue;
+        };
+        let together = Exchange::read(&step);
+        let surfaces = example.surfaces();
+        let alone = surfaces.iter().map(|(_, _, step)| Exchange::read(step));
+        let alone: Vec<_> = alone.collect();
+        let sum = |name: &str| alone.iter().map(|own| own.all(name).len()).sum::<usize>();
+        let name = &example.name;
+        let faces = together.all("ADVANCED_FACE").len();
+        assert_eq!(faces, sum("ADVANCED_FACE"), "{name}");
+        let edges = together.all("EDGE_CURVE").len();
+        assert!(edges < sum("EDGE_CURVE"), "{name}");
+        let patches = together.patches();
+        for patch in alone.iter().flat_map(Exchange::patches) {
+            let same = patches.iter().any(|own| own.points == patch.points);
+            assert!(same, "{name}");
+        }
+        count += 1;
+    }
+    assert!(count >= 2);
 }
 
 /// The constructions of the standard library: name and text.

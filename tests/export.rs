@@ -13,7 +13,7 @@ mod nets;
 use std::collections::HashMap;
 
 use exchange::{Exchange, bits};
-use nets::{number, patch};
+use nets::{number, patch, read_json};
 use serde_json::Value;
 use sweepc::diag::Code;
 use sweepc::export::{ALL, Context, ExportFault, Exported, Fidelity, RoundedNet};
@@ -31,33 +31,34 @@ fn text(format: &str, net: &ControlNet) -> String {
     String::from_utf8(exported.bytes).unwrap()
 }
 
-/// Nets that every format carries, and whether STEP gives them edges.
-fn carried() -> Vec<(&'static str, ControlNet, bool)> {
+/// Nets that every format carries, and in how many faces they come as STEP; 0 for a surface
+/// without edges.
+fn carried() -> Vec<(&'static str, ControlNet, usize)> {
     vec![
-        ("quarter cylinder", patch(&nets::quarter_cylinder()), true),
-        ("circle over cubic", patch(&nets::circle_over_cubic()), true),
-        ("polynomial", patch(&nets::polynomial()), true),
-        ("degree 25", patch(&nets::of_degree(25)), true),
-        ("cone", patch(&nets::cone()), true),
-        ("tube, equal ends", patch(&nets::tube("1 1 -1")), true),
-        ("tube, unequal ends", patch(&nets::tube("1 1")), false),
-        ("sphere", nets::sphere(), true),
-        ("hemisphere", nets::hemisphere(), true),
-        ("cylinder", nets::cylinder(), true),
-        ("torus", nets::torus(), true),
-        ("lune", nets::lune(), true),
-        ("teardrop", nets::teardrop(), true),
-        ("folded", nets::folded(), false),
-        ("moebius", nets::moebius(), false),
-        ("touching corners", nets::touching_corners(), false),
-        ("petal", nets::petal(), false),
-        ("nearly closed", nets::nearly_closed(), false),
-        ("bag", patch(&nets::bag()), false),
-        ("apex at a corner", patch(&nets::corner_apex()), false),
+        ("quarter cylinder", patch(&nets::quarter_cylinder()), 1),
+        ("circle over cubic", patch(&nets::circle_over_cubic()), 1),
+        ("polynomial", patch(&nets::polynomial()), 1),
+        ("degree 25", patch(&nets::of_degree(25)), 1),
+        ("cone", patch(&nets::cone()), 1),
+        ("tube, equal ends", patch(&nets::tube("1 1 -1")), 2),
+        ("tube, unequal ends", patch(&nets::tube("1 1")), 2),
+        ("sphere", nets::sphere(), 8),
+        ("hemisphere", nets::hemisphere(), 4),
+        ("cylinder", nets::cylinder(), 4),
+        ("torus", nets::torus(), 16),
+        ("lune", nets::lune(), 2),
+        ("teardrop", nets::teardrop(), 1),
+        ("folded", nets::folded(), 0),
+        ("moebius", nets::moebius(), 2),
+        ("touching corners", nets::touching_corners(), 2),
+        ("petal", nets::petal(), 2),
+        ("nearly closed", nets::nearly_closed(), 4),
+        ("bag", patch(&nets::bag()), 0),
+        ("apex at a corner", patch(&nets::corner_apex()), 0),
         (
-            "thirds",
-            nets::on(&nets::circle_over_cubic(), ("1/7", "3/7"), ("-1/3", "1")),
-            true,
+            "eighths",
+            nets::on(&nets::circle_over_cubic(), ("1/8", "3/8"), ("-1/4", "1")),
+            1,
         ),
     ]
 }
@@ -132,37 +133,6 @@ fn a_point_at_infinity_holds_its_direction() {
     );
 }
 
-fn exact(value: &Value) -> Real {
-    number(value.as_str().unwrap())
-}
-
-fn array(value: &Value) -> &Vec<Value> {
-    value.as_array().unwrap()
-}
-
-fn read_json(text: &str) -> ControlNet {
-    let file: Value = serde_json::from_str(text).unwrap();
-    assert_eq!(file["format"], "sweepc-net/1");
-    let knots = |index: usize, along: &str| {
-        let degree = usize::try_from(file["degree"][index].as_u64().unwrap()).unwrap();
-        Knots::new(
-            degree,
-            array(&file["knots"][along]).iter().map(exact).collect(),
-        )
-        .unwrap()
-    };
-    let weights = array(&file["weights"]).iter().flat_map(array).map(exact);
-    let points = array(&file["points"]).iter().flat_map(array);
-    let points = points.map(|own| [exact(&own[0]), exact(&own[1]), exact(&own[2])]);
-    ControlNet::new(
-        knots(0, "u"),
-        knots(1, "v"),
-        weights.collect(),
-        points.collect(),
-    )
-    .unwrap()
-}
-
 #[test]
 fn json_read_again_is_the_exact_net() {
     for coordinates in [nets::negative_weight(), nets::of_degree(26)] {
@@ -226,33 +196,49 @@ fn json_layout_is_one_row_a_line() {
 
 #[test]
 fn step_and_json_have_the_same_doubles() {
-    for (name, net, _) in carried() {
-        let step = Exchange::read(&text("step", &net));
+    for (name, net, faces) in carried() {
+        let patches = Exchange::read(&text("step", &net)).patches();
+        assert_eq!(patches.len(), faces.max(1), "{name}");
+        for patch in &patches {
+            assert!(patch.is_part_of(&net), "{name}");
+        }
+        let [patch] = patches.as_slice() else {
+            continue;
+        };
         let json: Value = serde_json::from_str(&text("json", &net)).unwrap();
-        let (points, weights) = step.surface();
-        assert_eq!(points, bits(&json["float"]["points"]), "{name}");
-        assert_eq!(weights, bits(&json["float"]["weights"]), "{name}");
+        assert_eq!(patch.points, bits(&json["float"]["points"]), "{name}");
+        assert_eq!(patch.weights, bits(&json["float"]["weights"]), "{name}");
         let rounded = RoundedNet::new(&net).unwrap();
         let own = rounded.points.iter().flatten().flatten();
         let own: Vec<_> = own.map(|own| own.value().to_bits()).collect();
-        assert_eq!(own, points, "{name}");
+        assert_eq!(own, patch.points, "{name}");
     }
 }
 
 #[test]
 fn step_faces_have_the_edges_that_readers_expect() {
+    // Edges, their uses, vertices. Edges that bound two faces are there once.
     let expected = HashMap::from([
         ("cone", (3, 3, 3)),
         ("circle over cubic", (3, 3, 3)),
-        ("tube, equal ends", (3, 4, 2)),
-        ("cylinder", (3, 4, 2)),
-        ("hemisphere", (2, 3, 2)),
-        ("sphere", (1, 2, 2)),
-        ("torus", (2, 4, 1)),
-        ("lune", (2, 2, 2)),
+        ("tube, equal ends", (6, 8, 4)),
+        ("tube, unequal ends", (6, 8, 4)),
+        ("cylinder", (12, 16, 8)),
+        ("hemisphere", (8, 12, 5)),
+        ("sphere", (12, 24, 6)),
+        ("torus", (32, 64, 16)),
+        ("lune", (5, 6, 4)),
         ("teardrop", (4, 4, 3)),
+        ("folded", (0, 0, 0)),
+        ("moebius", (6, 8, 4)),
+        ("touching corners", (7, 8, 5)),
+        // Folded onto itself: the same face twice, which is no neighbour of itself.
+        ("petal", (6, 6, 6)),
+        ("nearly closed", (13, 16, 10)),
+        ("bag", (0, 0, 0)),
+        ("apex at a corner", (0, 0, 0)),
     ]);
-    for (name, net, bounded) in carried() {
+    for (name, net, faces) in carried() {
         let exported = export("step", &net, &Context::new("file", "R")).unwrap();
         let step = Exchange::read(std::str::from_utf8(&exported.bytes).unwrap());
         let count = |name: &str| step.all(name).len();
@@ -261,13 +247,20 @@ fn step_faces_have_the_edges_that_readers_expect() {
             count("ORIENTED_EDGE"),
             count("VERTEX_POINT"),
         );
-        let usual = if bounded { (4, 4, 4) } else { (0, 0, 0) };
-        assert_eq!(seen, *expected.get(name).unwrap_or(&usual), "{name}");
-        assert_eq!(count("ADVANCED_FACE"), usize::from(bounded), "{name}");
-        assert_eq!(count("GEOMETRIC_SET"), usize::from(!bounded), "{name}");
+        assert_eq!(seen, *expected.get(name).unwrap_or(&(4, 4, 4)), "{name}");
+        assert_eq!(count("ADVANCED_FACE"), faces, "{name}");
+        assert_eq!(count("GEOMETRIC_SET"), usize::from(faces == 0), "{name}");
         let codes: Vec<_> = exported.warnings.iter().map(|own| own.code).collect();
-        assert_eq!(codes.contains(&Code::W1009), !bounded, "{name}");
+        assert_eq!(codes.contains(&Code::W1009), faces == 0, "{name}");
         assert_eq!(count("SHAPE_DEFINITION_REPRESENTATION"), 1);
+        let shells = (count("OPEN_SHELL"), count("CLOSED_SHELL"));
+        let expected = match name {
+            "sphere" | "torus" => (0, 1),
+            // No two sides, or the same face twice.
+            "moebius" | "petal" => (2, 0),
+            _ => (usize::from(faces > 0), 0),
+        };
+        assert_eq!(shells, expected, "{name}");
     }
 }
 
@@ -327,7 +320,7 @@ fn what_readers_drop_is_refused_or_named() {
     let refused = |net: &ControlNet| step(net).unwrap_err().code;
     let flat = ["1", "1", "0"];
 
-    assert_eq!(refused(&patch(&nets::negative_weight())), Code::E0304);
+    assert_eq!(step(&patch(&nets::negative_weight())), Ok(vec![]));
     assert_eq!(refused(&square("0", flat)), Code::E0304);
     assert_eq!(refused(&patch(&nets::of_degree(26))), Code::E0305);
     assert_eq!(refused(&patch(&nets::line())), Code::E0305);

@@ -1,6 +1,6 @@
 //! Boundaries as readers understand them: which patches have to be cut before they are faces.
 
-use crate::net::{Model, Part};
+use crate::net::{Face, Model, Part};
 use crate::number::{Field, Real};
 
 use super::{Double, ExportFault, RoundedNet};
@@ -31,6 +31,9 @@ const DIVISIONS: [(usize, usize); 10] = [
 pub(super) fn with_clear_boundaries(model: &Model) -> Result<Option<Model>, ExportFault> {
     let mut parts = Vec::new();
     for part in model.parts() {
+        if has_folded_corner(part)? {
+            return Ok(None);
+        }
         let mut clear = None;
         for (along_u, along_v) in DIVISIONS {
             let divided = part.divided(along_u, along_v);
@@ -44,7 +47,32 @@ pub(super) fn with_clear_boundaries(model: &Model) -> Result<Option<Model>, Expo
             None => return Ok(None),
         }
     }
-    Ok(Some(Model::new(parts)))
+    let model = Model::new(parts);
+    let mut faces = model.shells().iter().flat_map(|shell| &shell.faces);
+    let clear = !faces.any(has_edge_twice);
+    Ok(clear.then_some(model))
+}
+
+/// Whether two sides of a face run together: on a patch that is not closed there, readers find one
+/// place in the domain for both, and give the face another inside.
+fn has_edge_twice(face: &Face) -> bool {
+    let mut edges: Vec<_> = face.uses().map(|own| own.edge).collect();
+    edges.sort_unstable();
+    edges.windows(2).any(|own| own[0] == own[1])
+}
+
+/// Whether two adjacent sides of a patch are the same curve or the same point. So they are in the
+/// corner of any division.
+fn has_folded_corner(part: &Part) -> Result<bool, ExportFault> {
+    for patch in part.patches().unwrap_or_default() {
+        let net = RoundedNet::new(&patch.net)?;
+        let sides = sides(&net);
+        let mut pairs = (0..4).map(|index| (&sides[index], &sides[(index + 1) % 4]));
+        if pairs.any(|(one, other)| nearly_meet(one, other)) {
+            return Ok(true);
+        }
+    }
+    Ok(false)
 }
 
 /// Whether readers understand the boundaries of all patches as they are meant.
@@ -101,9 +129,14 @@ fn is_nearly_point(side: &[&Point]) -> bool {
     side.iter().all(|own| near(own, side[0]))
 }
 
-/// Whether readers may take both sides for the same curve, in this or the other direction.
+/// Whether readers may take both sides for the same curve, in this or the other direction, or for
+/// the same point.
 fn nearly_meet(one: &[&Point], other: &[&Point]) -> bool {
+    let points = is_nearly_point(one) && is_nearly_point(other);
     let near = |(own, other): (&&Point, &&Point)| near(own, other);
+    if points {
+        return near((&one[0], &other[0]));
+    }
     one.len() == other.len()
         && (one.iter().zip(other).all(near) || one.iter().rev().zip(other).all(near))
 }

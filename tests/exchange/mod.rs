@@ -13,6 +13,9 @@ use std::collections::HashMap;
 
 use ruststep::ast::{EntityInstance, Name, Parameter, Record};
 use serde_json::Value;
+use sweepc::export::{Double, RoundedNet};
+use sweepc::net::ControlNet;
+use sweepc::number::Real;
 
 /// The bits of all numbers in nested lists, in order.
 pub fn bits(value: &Value) -> Vec<u64> {
@@ -59,18 +62,73 @@ impl Exchange {
         }
     }
 
-    /// The bits of the points and of the weights of the one surface in the file; the weights of a
-    /// polynomial one are 1.
+    /// The faces' surfaces, in order of their numbers; weights of polynomial ones are 1.
+    pub fn patches(&self) -> Vec<Patch> {
+        let mut ids: Vec<_> = self.records.keys().collect();
+        ids.sort();
+        let patches = ids
+            .into_iter()
+            .filter_map(|id| self.patch(&self.records[id]));
+        patches.collect()
+    }
+
+    fn patch(&self, records: &[Record]) -> Option<Patch> {
+        let of = |name: &str| records.iter().find(|own| own.name == name);
+        let knotted = attributes(of("B_SPLINE_SURFACE_WITH_KNOTS")?);
+        // Degrees and points stand before the knots, in an entity of their own or in the same.
+        let (spline, knots) = match of("B_SPLINE_SURFACE") {
+            Some(spline) => (attributes(spline), knotted),
+            None => (&knotted[1..], &knotted[8..]),
+        };
+        let points = self.bits(&spline[2]);
+        let weights = match of("RATIONAL_B_SPLINE_SURFACE") {
+            Some(rational) => self.bits(&rational.parameter),
+            None => vec![1_f64.to_bits(); points.len() / 3],
+        };
+        let ends = |own: &Parameter| {
+            let bits = self.bits(own);
+            [bits[0], bits[bits.len() - 1]].map(f64::from_bits)
+        };
+        Some(Patch {
+            u: ends(&knots[2]),
+            v: ends(&knots[3]),
+            points,
+            weights,
+        })
+    }
+
+    /// The bits of the points and of the weights of the one surface in the file.
     pub fn surface(&self) -> (Vec<u64>, Vec<u64>) {
-        if let Some(spline) = self.all("B_SPLINE_SURFACE").first() {
-            let weights = self.all("RATIONAL_B_SPLINE_SURFACE")[0];
-            let points = self.bits(&attributes(spline)[2]);
-            return (points, self.bits(&weights.parameter));
-        }
-        let spline = self.all("B_SPLINE_SURFACE_WITH_KNOTS")[0];
-        let points = self.bits(&attributes(spline)[3]);
-        let count = points.len() / 3;
-        (points, vec![1_f64.to_bits(); count])
+        let mut patches = self.patches();
+        assert_eq!(patches.len(), 1);
+        let patch = patches.remove(0);
+        (patch.points, patch.weights)
+    }
+}
+
+/// A Bézier patch of a file: its domain, and the bits of its points and weights.
+pub struct Patch {
+    pub u: [f64; 2],
+    pub v: [f64; 2],
+    pub points: Vec<u64>,
+    pub weights: Vec<u64>,
+}
+
+impl Patch {
+    /// Whether its numbers are the doubles of a net's restriction to its domain, as the polar form
+    /// gives it.
+    pub fn is_part_of(&self, net: &ControlNet) -> bool {
+        let exact = |own: [f64; 2]| own.map(|own| format!("{own:?}").parse::<Real>().unwrap());
+        let (u, v) = (exact(self.u), exact(self.v));
+        let Some(part) = net.restricted((&u[0], &u[1]), (&v[0], &v[1])) else {
+            return false;
+        };
+        let rounded = RoundedNet::new(&part).unwrap();
+        let points = rounded.points.iter().flatten().flatten();
+        let weights = rounded.weights.iter().flatten();
+        let bits = |own: &Double| own.value().to_bits();
+        points.map(bits).eq(self.points.iter().copied())
+            && weights.map(bits).eq(self.weights.iter().copied())
     }
 }
 

@@ -8,6 +8,7 @@
     reason = "test data, shared by several test files"
 )]
 
+use serde_json::Value;
 use sweepc::net::{ControlNet, Knots};
 use sweepc::number::{Field, Real};
 use sweepc::poly::{BiPoly, UniPoly};
@@ -289,4 +290,36 @@ pub fn nearly_closed() -> ControlNet {
 /// One side is a closed curve, and the patch is not closed.
 pub fn teardrop() -> ControlNet {
     polynomial_net(&["0,0,0 0,0,1", "3,-2,0 3,-2,1", "3,2,0 3,2,2", "0,0,0 1,1,3"])
+}
+
+fn exact(value: &Value) -> Real {
+    number(value.as_str().unwrap())
+}
+
+fn array(value: &Value) -> &Vec<Value> {
+    value.as_array().unwrap()
+}
+
+/// The net of a file `sweepc-net/1` without square roots.
+pub fn read_json(text: &str) -> ControlNet {
+    let file: Value = serde_json::from_str(text).unwrap();
+    assert_eq!(file["format"], "sweepc-net/1");
+    let knots = |index: usize, along: &str| {
+        let degree = usize::try_from(file["degree"][index].as_u64().unwrap()).unwrap();
+        Knots::new(
+            degree,
+            array(&file["knots"][along]).iter().map(exact).collect(),
+        )
+        .unwrap()
+    };
+    let weights = array(&file["weights"]).iter().flat_map(array).map(exact);
+    let points = array(&file["points"]).iter().flat_map(array);
+    let points = points.map(|own| [exact(&own[0]), exact(&own[1]), exact(&own[2])]);
+    ControlNet::new(
+        knots(0, "u"),
+        knots(1, "v"),
+        weights.collect(),
+        points.collect(),
+    )
+    .unwrap()
 }
