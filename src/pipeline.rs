@@ -10,7 +10,7 @@ use std::rc::Rc;
 use crate::check::{Checked, Judgement, Verdict, judge};
 use crate::curve::{Curve, Parameter};
 use crate::diag::{Code, Diagnostic, Diagnostics, Limits, SourceMap};
-use crate::export::{Context, Exported, Exporter, Guide, View};
+use crate::export::{Context, Exported, Exporter, Guide, StepSchema, View};
 use crate::net::{Model, Part};
 use crate::number::{Real, Unit};
 use crate::report::Report;
@@ -34,6 +34,8 @@ pub struct Options {
     pub any_weight_ratio: bool,
     /// Where pictures are seen from.
     pub view: View,
+    /// The application protocol of STEP files.
+    pub step_schema: StepSchema,
     /// Whether surfaces in IGES are trimmed by their boundary curves.
     pub iges_trimmed: bool,
 }
@@ -260,6 +262,7 @@ impl Compilation {
             any_weight_ratio: options.any_weight_ratio,
             view: options.view.clone(),
             report: shown.then(|| self.report_in(context.stem, &|_| 0)),
+            step_schema: options.step_schema,
             iges_trimmed: options.iges_trimmed,
             ..context
         }

@@ -16,7 +16,7 @@ use exchange::{Exchange, bits};
 use nets::{number, patch, read_json};
 use serde_json::Value;
 use sweepc::diag::Code;
-use sweepc::export::{ALL, Context, ExportFault, Exported, Fidelity, RoundedNet};
+use sweepc::export::{ALL, Context, ExportFault, Exported, Fidelity, RoundedNet, StepSchema};
 use sweepc::net::{ControlNet, Knots, Model, Part};
 use sweepc::number::{Field, Real, Unit};
 
@@ -298,6 +298,35 @@ fn names_and_units_arrive() {
         assert!(step.contains(mark), "{step}");
         assert!(step.contains("FILE_NAME('file-R\\X2\\03C3\\X0\\.step','1970-01-01T00:00:00'"));
         assert!(step.contains("PRODUCT('R\\X2\\03C3\\X0\\',"));
+    }
+}
+
+#[test]
+fn the_protocol_is_in_the_header_and_in_the_product() {
+    let net = patch(&nets::quarter_cylinder());
+    for (step_schema, header, context) in [
+        (
+            StepSchema::Ap203,
+            "CONFIG_CONTROL_DESIGN",
+            "MECHANICAL_CONTEXT",
+        ),
+        (StepSchema::Ap214, "AUTOMOTIVE_DESIGN", "PRODUCT_CONTEXT"),
+        (
+            StepSchema::Ap242,
+            "AP242_MANAGED_MODEL_BASED_3D_ENGINEERING_MIM_LF",
+            "PRODUCT_CONTEXT",
+        ),
+    ] {
+        let context_of_file = Context {
+            step_schema,
+            ..Context::new("file", "R")
+        };
+        let step = export("step", &net, &context_of_file).unwrap();
+        let step = String::from_utf8(step.bytes).unwrap();
+        assert!(step.contains(&format!("FILE_SCHEMA(('{header}")), "{step}");
+        let read = Exchange::read(&step);
+        let count = |name: &str| read.all(name).len();
+        assert_eq!((count(context), count("ADVANCED_FACE")), (1, 1));
     }
 }
 

@@ -5,7 +5,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
 use crate::diag::Limits;
-use crate::export::View;
+use crate::export::{StepSchema, View};
 
 use super::watch::Budget;
 
@@ -111,6 +111,9 @@ pub(super) struct CompileArguments {
     /// Write weights that differ by more than a factor of 10⁶
     #[arg(long)]
     pub(super) allow_weight_ratio: bool,
+    /// The application protocol of `step`
+    #[arg(long, value_enum, default_value_t = StepProtocol::Ap214, value_name = "PROTOCOL")]
+    pub(super) step_schema: StepProtocol,
     /// Trim the surfaces of `iges` by their boundary curves
     #[arg(long)]
     pub(super) iges_trimmed: bool,
@@ -164,6 +167,23 @@ pub(super) enum Color {
 pub(super) enum CheckFormat {
     Text,
     Json,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum StepProtocol {
+    Ap203,
+    Ap214,
+    Ap242,
+}
+
+impl From<StepProtocol> for StepSchema {
+    fn from(own: StepProtocol) -> Self {
+        match own {
+            StepProtocol::Ap203 => Self::Ap203,
+            StepProtocol::Ap214 => Self::Ap214,
+            StepProtocol::Ap242 => Self::Ap242,
+        }
+    }
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]

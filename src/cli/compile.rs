@@ -27,6 +27,7 @@ pub(super) fn run(own: &CompileArguments, arguments: &Arguments) -> Status {
         Err(misuse) => return misuse.complain(),
     };
     session.options.view = own.view.clone();
+    session.options.step_schema = own.step_schema.into();
     session.options.iges_trimmed = own.iges_trimmed;
     require_surfaces(&mut session, &own.file);
     let files = if keeps_files(&session.compilation.diagnostics) {

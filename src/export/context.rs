@@ -1,7 +1,7 @@
 use crate::number::Unit;
 use crate::report::Report;
 
-use super::{Guide, View};
+use super::{Guide, StepSchema, View};
 
 /// What a file says beside the model.
 #[derive(Clone, Debug)]
@@ -21,6 +21,8 @@ pub struct Context<'a> {
     pub guides: Vec<Guide>,
     /// The degree report of the surfaces, for pages that show it.
     pub report: Option<Report>,
+    /// The application protocol of STEP files.
+    pub step_schema: StepSchema,
     /// Whether surfaces in IGES are trimmed by their boundary curves.
     pub iges_trimmed: bool,
 }
@@ -49,6 +51,7 @@ impl<'a> Context<'a> {
             view: View::default(),
             guides: Vec::new(),
             report: None,
+            step_schema: StepSchema::default(),
             iges_trimmed: false,
         }
     }

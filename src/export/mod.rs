@@ -37,6 +37,7 @@ pub use guide::Guide;
 pub use picture::View;
 pub use premultiplied_net::PremultipliedNet;
 pub use rounded_net::RoundedNet;
+pub use step::StepSchema;
 
 /// A file format.
 #[derive(Clone, Copy, Debug)]

@@ -49,6 +49,9 @@ def compile_all(compiler, folder):
         unit = next((own.split()[1] for own in text if own.startswith("unit ")), "mm")
         plain = compile_one(compiler, source, folder / name, EMIT)
         trimmed = compile_one(compiler, source, folder / f"{name}.trimmed", "iges", "--iges-trimmed")
+        for schema in ("ap203", "ap242"):
+            place = folder / f"{name}.{schema}"
+            plain += compile_one(compiler, source, place, "step", "--step-schema", schema)
         exact = {own.stem: Nets([own]) for own in plain if own.name.count(".") == 1 and own.suffix == ".json"}
         exact[source.stem] = Nets(own for own in plain if own.stem in exact and own.suffix == ".json")
         for written in plain + trimmed:

@@ -3,6 +3,7 @@
 mod entities;
 mod geometry;
 mod product;
+mod schema;
 mod shell;
 
 use crate::diag::Code;
@@ -14,6 +15,8 @@ use super::written::Written;
 use super::{Context, ExportFault, Exported, Exporter, Fidelity};
 use entities::Entities;
 use shell::{write_bare, write_shells};
+
+pub use schema::StepSchema;
 
 pub(super) const EXPORTER: Exporter = Exporter {
     name: "step",

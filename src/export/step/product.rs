@@ -14,8 +14,9 @@ pub(super) fn header(context: &Context) -> String {
         "HEADER;\n\
          FILE_DESCRIPTION(('swept surface as a rational B-spline'),'2;1');\n\
          FILE_NAME({file},'1970-01-01T00:00:00',('unknown'),('unknown'),{program},{program},'none');\n\
-         FILE_SCHEMA(('AUTOMOTIVE_DESIGN {{ 1 0 10303 214 1 1 1 1 }}'));\n\
-         ENDSEC;\n"
+         FILE_SCHEMA(('{}'));\n\
+         ENDSEC;\n",
+        context.step_schema.identifier()
     )
 }
 
@@ -78,18 +79,20 @@ pub(super) fn write(shape: &Shape, context: &Context, entities: &mut Entities) {
         item,
     } = shape;
     let representation = entities.add(&format!("{representation}({name},({item}),{geometry})"));
-    let application = entities.add("APPLICATION_CONTEXT('automotive design')");
+    let (what, schema, year) = context.step_schema.application();
+    let [of_product, of_definition, of_version, source] = context.step_schema.product_entities();
+    let application = entities.add(&format!("APPLICATION_CONTEXT('{what}')"));
     entities.add(&format!(
-        "APPLICATION_PROTOCOL_DEFINITION('international standard','automotive_design',2000,{application})"
+        "APPLICATION_PROTOCOL_DEFINITION('international standard','{schema}',{year},{application})"
     ));
-    let product_context = entities.add(&format!("PRODUCT_CONTEXT('',{application},'mechanical')"));
+    let product_context = entities.add(&format!("{of_product}('',{application},'mechanical')"));
     let product = entities.add(&format!("PRODUCT({name},{name},'',({product_context}))"));
     entities.add(&format!(
         "PRODUCT_RELATED_PRODUCT_CATEGORY('part','',({product}))"
     ));
-    let formation = entities.add(&format!("PRODUCT_DEFINITION_FORMATION('','',{product})"));
+    let formation = entities.add(&format!("{of_version}('','',{product}{source})"));
     let stage = entities.add(&format!(
-        "PRODUCT_DEFINITION_CONTEXT('part definition',{application},'design')"
+        "{of_definition}('part definition',{application},'design')"
     ));
     let definition = entities.add(&format!("PRODUCT_DEFINITION('','',{formation},{stage})"));
     let property = entities.add(&format!("PRODUCT_DEFINITION_SHAPE('','',{definition})"));
