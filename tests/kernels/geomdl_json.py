@@ -4,7 +4,7 @@ import json
 
 from geomdl import exchange
 
-from patch import MORE_ULPS, Patch
+from patch import Patch
 
 
 def read(path):
@@ -33,6 +33,6 @@ def patch(surface, file):
         weights=matrix(weights),
         points=matrix(points),
         evaluate=lambda u, v: surface.evaluate_single((u, v)),
-        ulps=MORE_ULPS,
+        loses_more=True,
         names=[surface.name],
     )

@@ -2,7 +2,7 @@
 
 import rhino3dm
 
-from patch import MORE_ULPS, Patch
+from patch import Patch
 
 UNITS = {
     "mm": rhino3dm.UnitSystem.Millimeters,
@@ -38,6 +38,6 @@ def patch(surface, name):
         domain=[(surface.Domain(own).T0, surface.Domain(own).T1) for own in (0, 1)],
         premultiplied=[[[own.X, own.Y, own.Z, own.W] for own in row] for row in points],
         evaluate=evaluate,
-        ulps=MORE_ULPS,
+        loses_more=True,
         names=[name],
     )

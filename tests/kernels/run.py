@@ -27,6 +27,8 @@ SOURCES = [HERE.parent.parent / "examples", HERE / "surfaces"]
 EMIT = "json,step,iges,3dm,geomdl,three,verb,truck,obj"
 # The surface in whose files a number is changed, to see that it is found.
 SPOILED = "example_2-R."
+# How far points are off in each kernel, in units of the last place of the range of coordinates.
+WORST = {}
 # An edge may be off its faces by so much before a kernel calls them apart.
 TOLERANCE = 1e-7
 
@@ -76,9 +78,11 @@ def compile_one(compiler, source, folder, *emit):
 
 
 def check_solid(shape, written, shelled, own_edges=True):
-    """Validity, faces, edges and shells of what Open CASCADE has read."""
+    """Validity, faces, edges and shells of what Open CASCADE has read.
+
+    Like every check it returns how far points are off, in units of the last place."""
     patches = shape.patches()
-    check(written.nets, patches)
+    worst = check(written.nets, patches)
     assert shape.is_valid(), "it is not valid"
     assert shape.tolerance() <= TOLERANCE, f"an edge is off by {shape.tolerance()}"
     shells, faces, edges = shape.counts()
@@ -92,50 +96,54 @@ def check_solid(shape, written, shelled, own_edges=True):
         assert shells == boundary.shells(), f"{shells} shells, not {boundary.shells()}"
     else:
         assert edges == boundary.edges_apart(), f"{edges} edges, not {boundary.edges_apart()}"
+    return worst
 
 
 def check_step(written):
     """STEP in Open CASCADE."""
-    check_solid(occt.read_step(written.path, written.unit), written, shelled=True)
+    return check_solid(occt.read_step(written.path, written.unit), written, shelled=True)
 
 
 def check_iges(written):
     """IGES in Open CASCADE."""
     trimmed = written.path.parent.suffix == ".trimmed"
     shape = occt.read_iges(written.path, written.unit)
-    check_solid(shape, written, shelled=False, own_edges=trimmed)
+    return check_solid(shape, written, shelled=False, own_edges=trimmed)
 
 
 def check_gmsh(written):
     """STEP in Gmsh."""
     patches, edges = gmsh_step.read(written.path, written.unit)
-    check(written.nets, patches)
+    worst = check(written.nets, patches)
     solid = occt.read_step(written.path, written.unit)
     boundary = Boundary(written.nets, solid.patches())
     assert len(patches) == solid.counts()[1]
     # Gmsh counts a collapsed edge as well.
     assert edges == boundary.edges() + boundary.collapsed(), f"{edges} edges"
+    return worst
 
 
 def check_rhino(written):
     """3DM in openNURBS."""
     patches = rhino.read(written.path, written.unit)
-    check(written.nets, patches)
+    worst = check(written.nets, patches)
     names = {name for own in patches for name in own.names}
     assert names == {own.name for own in written.nets.nets}, names
+    return worst
 
 
 def check_geomdl(written):
     """JSON in geomdl."""
     patches = geomdl_json.read(written.path)
-    check(written.nets, patches)
+    worst = check(written.nets, patches)
     names = sorted(name for own in patches for name in own.names)
     assert names == [own.name for own in written.nets.nets], names
+    return worst
 
 
 def check_web(written):
     """JSON in three.js or verb."""
-    check(written.nets, [web.read(written.path)])
+    return check(written.nets, [web.read(written.path)])
 
 
 CHECKS = {
@@ -191,7 +199,9 @@ class Reading(unittest.TestCase):
         return f"{self.written.path.parent.name}/{self.written.path.name} in {self.kernel}"
 
     def runTest(self):
-        self.own(self.written)
+        worst = self.own(self.written)
+        if worst is not None:
+            WORST[self.kernel] = max(worst, WORST.get(self.kernel, 0))
 
 
 def main(compiler, folder, *words):
@@ -212,6 +222,8 @@ def main(compiler, folder, *words):
                 wanted = (own for own in readings if all(word in str(own) for word in words))
                 suite.addTests(wanted)
     result = unittest.TextTestRunner(verbosity=0).run(suite)
+    for kernel, worst in WORST.items():
+        print(f"{kernel}: the largest deviation is {worst:.2f} units in the last place")
     wrong, skipped = len(result.failures) + len(result.errors), len(result.skipped)
     print(f"kernels: {result.testsRun - wrong - skipped} passed, {wrong} failed, {skipped} skipped")
     return 0 if result.wasSuccessful() and result.testsRun and not skipped else 1
