@@ -318,7 +318,13 @@ fn example_one_report() {
     assert_eq!(report["affine"], affine);
     assert_eq!(
         report["weights"],
-        serde_json::json!({"positive": true, "min": "1", "max": "2"})
+        serde_json::json!({
+            "positive": true, "min": "1", "max": "2",
+            "certificate": {
+                "bidegree": [2, 3],
+                "rectangles": [{"u": ["0", "1"], "v": ["0", "1"]}],
+            },
+        })
     );
     let lengths = ["W", "X", "Y", "Z"].map(|own| {
         report["homogeneous"][own]["terms"]
