@@ -12,6 +12,7 @@ mod nets;
 use nets::{number, on};
 use sweepc::net::{ControlNet, CurveNet, Model, Part, Shell, Side, Use};
 use sweepc::number::{Field, Real};
+use sweepc::poly::BiDegree;
 
 fn model(nets: &[ControlNet]) -> Model {
     let parts = nets.iter().enumerate();
@@ -158,4 +159,156 @@ fn a_curve_has_one_reduced_net() {
     }
     let point = curve(&[["1", "3", "0", "1"], ["2", "6", "0", "2"]]);
     assert!(point.is_point() && !arc.is_point());
+}
+
+#[test]
+fn an_edge_is_split_where_a_neighbour_ends() {
+    let surface = nets::circle_over_cubic();
+    let piece = |u, v| on(&surface, u, v);
+    let long = piece(("0", "1/2"), ("0", "1"));
+    let [lower, upper] = [("0", "1/3"), ("1/3", "1")].map(|v| piece(("1/2", "3/4"), v));
+    // One side against two, whichever comes first.
+    for nets in [
+        [long.clone(), lower.clone(), upper.clone()],
+        [lower.clone(), upper.clone(), long.clone()],
+    ] {
+        let model = model(&nets);
+        assert_eq!(model.shells().len(), 1);
+        assert_eq!(counts(&model.shells()[0]), (3, 10, 8));
+        edges_lie_on_their_faces(&model.shells()[0]);
+    }
+    // Sides that overlap by a third: neither is a part of the other.
+    let early = piece(("0", "1/2"), ("0", "2/3"));
+    let model = model(&[early, upper.clone()]);
+    assert_eq!(counts(&model.shells()[0]), (2, 9, 8));
+    edges_lie_on_their_faces(&model.shells()[0]);
+    let ranges = |face: usize, side: usize| match &model.shells()[0].faces[face].sides[side] {
+        Side::Edges(uses) => uses.iter().map(|own| own.range.clone()).collect::<Vec<_>>(),
+        Side::Point(_) => Vec::new(),
+    };
+    let range = |from, to| (number(from), number(to));
+    assert_eq!(ranges(0, 1), [range("0", "1/3"), range("1/3", "2/3")]);
+    assert_eq!(ranges(1, 3), [range("1/3", "2/3"), range("2/3", "1")]);
+}
+
+/// Faces on both sides of an edge run through it in opposite directions.
+fn is_oriented(shell: &Shell, flipped: &[bool]) -> bool {
+    let mut senses = vec![Vec::new(); shell.edges.len()];
+    for (face, flipped) in shell.faces.iter().zip(flipped) {
+        for (place, side) in face.sides.iter().enumerate() {
+            let Side::Edges(uses) = side else {
+                continue;
+            };
+            for own in uses {
+                let along = (place < 2) != own.reversed;
+                senses[own.edge].push(along != *flipped);
+            }
+        }
+    }
+    senses.iter().all(|own| match own.as_slice() {
+        [_] => true,
+        [one, other] => one != other,
+        _ => false,
+    })
+}
+
+#[test]
+fn faces_are_turned_so_that_they_agree_along_edges() {
+    let surface = nets::circle_over_cubic();
+    let left = on(&surface, ("0", "1/2"), ("0", "1"));
+    let right = on(&surface, ("1/2", "3/4"), ("0", "1"));
+    let turned = surface.each_ref().map(|own| own.transpose());
+    let turned = on(&turned, ("0", "1"), ("1/2", "3/4"));
+    for (other, expected) in [(right, [false, false]), (turned, [false, true])] {
+        let model = model(&[left.clone(), other]);
+        let shell = &model.shells()[0];
+        assert_eq!(shell.orientation().as_deref(), Some(expected.as_slice()));
+        assert!(is_oriented(shell, &expected));
+        assert!(!is_oriented(shell, &[expected[0], !expected[1]]));
+        assert!(!shell.is_closed());
+    }
+    for (net, closed) in [
+        (nets::sphere(), true),
+        (nets::torus(), true),
+        (nets::cylinder(), false),
+        (nets::hemisphere(), false),
+    ] {
+        let model = model(&[net]);
+        let shell = &model.shells()[0];
+        let flipped = shell.orientation().unwrap();
+        assert!(is_oriented(shell, &flipped));
+        assert_eq!(shell.is_closed(), closed);
+    }
+    let moebius = Part::of_net("R", nets::moebius()).divided(2, 1);
+    let model = Model::new(vec![moebius]);
+    assert_eq!(model.shells()[0].orientation(), None);
+    assert!(!model.shells()[0].is_closed());
+}
+
+#[test]
+fn a_surface_that_is_there_twice_is_no_neighbour_of_itself() {
+    let surface = nets::circle_over_cubic();
+    let net = on(&surface, ("0", "1"), ("0", "1"));
+    let turned = surface.each_ref().map(|own| own.transpose());
+    let turned = on(&turned, ("0", "1"), ("0", "1"));
+    let other = on(&surface, ("0", "1"), ("1", "2"));
+    assert!(!model(&[net.clone(), net.clone()]).is_connected_across_parts());
+    assert!(!model(&[net.clone(), turned]).is_connected_across_parts());
+    assert!(model(&[net, other]).is_connected_across_parts());
+}
+
+#[test]
+fn parts_and_elevations_of_a_net_are_the_surface() {
+    for (net, u, v) in [
+        (
+            nets::patch(&nets::circle_over_cubic()),
+            ("1/3", "1"),
+            ("0", "1/7"),
+        ),
+        (
+            nets::patch(&nets::negative_weight()),
+            ("0", "2/3"),
+            ("1/5", "1"),
+        ),
+        (nets::torus(), ("1", "2"), ("5/2", "3")),
+        (nets::sphere(), ("7/2", "15/4"), ("0", "1")),
+    ] {
+        let (u, v) = ((number(u.0), number(u.1)), (number(v.0), number(v.1)));
+        let part = net.restricted((&u.0, &u.1), (&v.0, &v.1)).unwrap();
+        let degree = part.degree();
+        let raised = part
+            .elevated(BiDegree::new(degree.u + 2, degree.v + 1))
+            .unwrap();
+        assert_eq!(raised.degree(), BiDegree::new(degree.u + 2, degree.v + 1));
+        for local in ["0", "1/4", "1/2", "1"].map(number) {
+            let at_u = u.0.plus(&u.1.minus(&u.0).times(&local));
+            let at_v = v.1.minus(&v.1.minus(&v.0).times(&local));
+            let expected = net.de_casteljau(&at_u, &at_v);
+            assert!(expected.is_some());
+            assert_eq!(part.de_casteljau(&at_u, &at_v), expected);
+            assert_eq!(raised.de_casteljau(&at_u, &at_v), expected);
+        }
+        assert_eq!(part.elevated(BiDegree::new(0, degree.v)), None);
+    }
+    // The polar form agrees with the conversion from the polynomials.
+    let (from, middle, to) = (number("0"), number("2/7"), number("1"));
+    let surface = nets::circle_over_cubic();
+    let whole = nets::patch(&surface);
+    assert_eq!(
+        whole.restricted((&middle, &to), (&from, &middle)).unwrap(),
+        on(&surface, ("2/7", "1"), ("0", "2/7"))
+    );
+    // Not across a knot, not outside.
+    let torus = nets::torus();
+    let (half, beyond) = (number("1/2"), number("9/2"));
+    assert_eq!(
+        torus.restricted((&half, &number("3/2")), (&from, &to)),
+        None
+    );
+    assert_eq!(
+        torus.restricted((&from, &to), (&number("4"), &beyond)),
+        None
+    );
+    assert_eq!(torus.restricted((&to, &to), (&from, &to)), None);
+    assert_eq!(torus.elevated(BiDegree::new(3, 3)), None);
 }

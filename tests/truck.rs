@@ -79,14 +79,34 @@ impl Read {
         [knots[0], knots[knots.len() - 1]].map(exact)
     }
 
-    /// The part of a net that it should be.
-    fn part_of(&self, net: &ControlNet) -> ControlNet {
+    /// The part of a net that it should be; none if its domain is no part of the net's.
+    fn part_of(&self, net: &ControlNet) -> Option<ControlNet> {
         let (u, v) = (self.ends(0), self.ends(1));
-        let part = net.restricted((&u[0], &u[1]), (&v[0], &v[1])).unwrap();
+        let part = net.restricted((&u[0], &u[1]), (&v[0], &v[1]))?;
         let degree = |axis: usize, points: usize| self.knots[axis].len() - points - 1;
         let (rows, columns) = (self.points.len(), self.points[0].len());
         let degree = sweepc::poly::BiDegree::new(degree(0, rows), degree(1, columns));
-        part.elevated(degree).unwrap()
+        part.elevated(degree)
+    }
+
+    /// Whether its numbers are those of a part of a net.
+    fn is_part_of(&self, net: &ControlNet) -> bool {
+        let points = self.points.iter().flatten();
+        let bits: Vec<_> = points.map(|own| own.map(f64::to_bits)).collect();
+        self.part_of(net)
+            .is_some_and(|part| products(&part) == bits)
+    }
+
+    /// The same surface with its parameters exchanged.
+    fn exchanged(self) -> Self {
+        let [u, v] = self.knots;
+        let columns = self.points[0].len();
+        let column = |j: usize| self.points.iter().map(|row| row[j]).collect();
+        Self {
+            knots: [v, u],
+            points: (0..columns).map(column).collect(),
+            at: Box::new(move |u, v| (self.at)(v, u)),
+        }
     }
 }
 
@@ -208,7 +228,7 @@ fn truck_reads_the_faces_and_edges_of_step_files() {
             let mut area = Real::zero();
             for face in &shell.faces {
                 let read = Read::of(&face.surface);
-                let part = read.part_of(net);
+                let part = read.part_of(net).unwrap();
                 let bits = read
                     .points
                     .iter()
@@ -261,17 +281,12 @@ fn truck_reads_surfaces_that_are_joined_in_step_files() {
         let mut faces = 0;
         for shell in shells {
             for face in &shell.faces {
-                let rows = Read::of(&face.surface).points;
-                let bits = rows.iter().flatten().map(|own| own.map(f64::to_bits));
-                let bits: Vec<_> = bits.collect();
+                let nets = nets(&compiled);
+                let read = Read::of(&face.surface);
+                let owned = nets.iter().any(|net| read.is_part_of(net));
                 // A face whose other side is outside has its parameters exchanged.
-                let (columns, rows) = (rows[0].len(), rows.len());
-                let places = (0..columns).flat_map(|j| (0..rows).map(move |i| i * columns + j));
-                let exchanged: Vec<_> = places.map(|own| bits[own]).collect();
-                let owner = nets(&compiled).iter().any(|net| {
-                    let expected = products(net);
-                    expected == bits || expected == exchanged
-                });
+                let read = read.exchanged();
+                let owner = owned || nets.iter().any(|net| read.is_part_of(net));
                 assert!(owner, "{name}");
             }
             faces += shell.faces.len();
