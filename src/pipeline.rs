@@ -256,7 +256,7 @@ impl Compilation {
         formats: &[&Exporter],
         options: &Options,
     ) -> Context<'a> {
-        let shown = formats.iter().any(|own| own.shows_report());
+        let shown = formats.iter().any(|own| own.shows_report);
         Context {
             unit: self.unit,
             any_weight_ratio: options.any_weight_ratio,

@@ -11,6 +11,7 @@ pub(super) const EXPORTER: Exporter = Exporter {
     extension: "geomdl.json",
     summary: "JSON for geomdl, its exchange format",
     several: true,
+    shows_report: false,
     write,
 };
 

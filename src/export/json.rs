@@ -13,6 +13,7 @@ pub(super) const EXPORTER: Exporter = Exporter {
     extension: "json",
     summary: "the exact net, with its doubles",
     several: false,
+    shows_report: false,
     write,
 };
 

@@ -50,16 +50,10 @@ pub struct Exporter {
     pub summary: &'static str,
     /// Whether a file can hold several surfaces.
     pub several: bool,
+    /// Whether its files show the degree report.
+    pub shows_report: bool,
     /// Writes the surfaces of a model, or says why the format cannot carry them.
     pub write: fn(&Model, &Context) -> Result<Exported, ExportFault>,
-}
-
-impl Exporter {
-    /// Whether its files show the degree report.
-    #[must_use]
-    pub fn shows_report(&self) -> bool {
-        self.name == picture::HTML.name
-    }
 }
 
 /// The surface of a model that holds one, for formats of single surfaces.

@@ -11,6 +11,7 @@ pub(super) const EXPORTER: Exporter = Exporter {
     extension: "obj",
     summary: "OBJ, rational free-form surfaces",
     several: true,
+    shows_report: false,
     write,
 };
 

@@ -11,6 +11,7 @@ pub(super) const EXPORTER: Exporter = Exporter {
     extension: "three.json",
     summary: "JSON for three.js, the arguments of `NURBSSurface`",
     several: false,
+    shows_report: false,
     write,
 };
 

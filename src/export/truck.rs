@@ -11,6 +11,7 @@ pub(super) const EXPORTER: Exporter = Exporter {
     extension: "truck.json",
     summary: "JSON for truck, a `NurbsSurface<Vector4>`",
     several: false,
+    shows_report: false,
     write,
 };
 

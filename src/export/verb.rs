@@ -11,6 +11,7 @@ pub(super) const EXPORTER: Exporter = Exporter {
     extension: "verb.json",
     summary: "JSON for verb, a `NurbsSurfaceData`",
     several: false,
+    shows_report: false,
     write,
 };
 

@@ -1,6 +1,7 @@
 use crate::number::{Field, Integer, Real, Ring, lcm};
 use crate::poly::{BiDegree, BiPoly, UniPoly, bernstein};
 
+use super::affine::affine;
 use super::{CurveNet, Knots};
 
 /// The numerators of exact numbers.
@@ -50,13 +51,8 @@ impl ControlNet {
         knots_v: Knots,
         controls: &[[Real; 4]],
     ) -> Option<Self> {
-        let scale = controls.first()?[0].inverse()?;
-        let weights = controls.iter().map(|[weight, ..]| weight.times(&scale));
-        let points = controls.iter().map(|[weight, point @ ..]| {
-            let divisor = weight.inverse().unwrap_or_else(|| scale.clone());
-            point.each_ref().map(|own| own.times(&divisor))
-        });
-        Self::new(knots_u, knots_v, weights.collect(), points.collect())
+        let (weights, points) = affine(controls)?;
+        Self::new(knots_u, knots_v, weights, points)
     }
 
     /// The one Bézier patch of the surface (W, X, Y, Z) over the domain u × v.

@@ -2,6 +2,7 @@ use crate::number::{Field, Real};
 use crate::poly::{RealRoot, UniPoly, bernstein, from_bernstein, gcd_all, real_roots};
 
 use super::Knots;
+use super::affine::affine;
 
 /// An exact rational Bézier curve over [0, 1]: weights and affine control points.
 ///
@@ -19,16 +20,8 @@ impl CurveNet {
     /// None without points, or if the first weight is 0.
     #[must_use]
     pub fn from_homogeneous(controls: &[[Real; 4]]) -> Option<Self> {
-        let scale = controls.first()?[0].inverse()?;
-        let weights = controls.iter().map(|[weight, ..]| weight.times(&scale));
-        let points = controls.iter().map(|[weight, point @ ..]| {
-            let divisor = weight.inverse().unwrap_or_else(|| scale.clone());
-            point.each_ref().map(|own| own.times(&divisor))
-        });
-        Some(Self {
-            weights: weights.collect(),
-            points: points.collect(),
-        })
+        let (weights, points) = affine(controls)?;
+        Some(Self { weights, points })
     }
 
     /// The degree.

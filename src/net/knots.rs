@@ -99,13 +99,23 @@ impl Knots {
         }
         let span = knots.partition_point(|knot| knot <= at);
         let first = span.min(self.control_points()) - 1 - degree;
+        self.polar_form(points, first, &vec![at; degree])
+    }
+
+    /// The polar form of the B-spline on the span whose first control point is given, at as many
+    /// arguments as the degree: the value where all of them are equal.
+    pub(super) fn polar_form(
+        &self,
+        points: &[[Real; 4]],
+        first: usize,
+        arguments: &[&Real],
+    ) -> Option<[Real; 4]> {
+        let (degree, knots) = (self.degree, &self.values);
         let mut corner = points.get(first..=first + degree)?.to_vec();
-        for step in 1..=degree {
+        for (step, at) in (1..=degree).zip(arguments) {
             for index in (step..=degree).rev() {
-                let (low, high) = (
-                    &knots[first + index],
-                    &knots[first + index + 1 + degree - step],
-                );
+                let low = &knots[first + index];
+                let high = &knots[first + index + 1 + degree - step];
                 let ratio = at.minus(low).times(&high.minus(low).inverse()?);
                 let rest = Real::one().minus(&ratio);
                 corner[index] = std::array::from_fn(|axis| {

@@ -3,6 +3,7 @@
 //! A [`Model`] is what goes into one file: its [`Part`]s are surfaces, its [`Shell`]s the same
 //! surfaces in patches that share edges.
 
+mod affine;
 mod control_net;
 mod curve_net;
 mod edge;

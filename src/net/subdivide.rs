@@ -1,4 +1,4 @@
-use crate::number::{Field, Real};
+use crate::number::Real;
 
 use super::{ControlNet, Knots};
 
@@ -40,43 +40,15 @@ impl ControlNet {
 
 /// The Bernstein coefficients of a B-spline on an interval within one of its spans.
 fn part(knots: &Knots, points: &[[Real; 4]], (from, to): (&Real, &Real)) -> Option<Vec<[Real; 4]>> {
-    let degree = knots.degree();
+    let (degree, values) = (knots.degree(), knots.values());
+    let span = values.partition_point(|knot| knot <= from);
+    if from < values.first()? || from >= to || to > values.get(span)? {
+        return None;
+    }
+    let first = span.checked_sub(1 + degree)?;
     let coefficient = |index: usize| {
         let arguments = (0..degree).map(|own| if own < degree - index { from } else { to });
-        knots.blossom(points, (from, to), &arguments.collect::<Vec<_>>())
+        knots.polar_form(points, first, &arguments.collect::<Vec<_>>())
     };
     (0..=degree).map(coefficient).collect()
-}
-
-impl Knots {
-    /// The polar form, at as many arguments as the degree, of the polynomial that a B-spline with
-    /// these homogeneous control points is on an interval; none if that does not lie within one
-    /// span.
-    fn blossom(
-        &self,
-        points: &[[Real; 4]],
-        (from, to): (&Real, &Real),
-        arguments: &[&Real],
-    ) -> Option<[Real; 4]> {
-        let (degree, knots) = (self.degree(), self.values());
-        let span = knots.partition_point(|knot| knot <= from);
-        if from < knots.first()? || from >= to || to > knots.get(span)? {
-            return None;
-        }
-        let first = span.checked_sub(1 + degree)?;
-        let mut corner = points.get(first..=first + degree)?.to_vec();
-        for (step, at) in (1..=degree).zip(arguments) {
-            for index in (step..=degree).rev() {
-                let low = &knots[first + index];
-                let high = &knots[first + index + 1 + degree - step];
-                let ratio = at.minus(low).times(&high.minus(low).inverse()?);
-                let rest = Real::one().minus(&ratio);
-                corner[index] = std::array::from_fn(|axis| {
-                    let near = corner[index - 1][axis].times(&rest);
-                    near.plus(&corner[index][axis].times(&ratio))
-                });
-            }
-        }
-        corner.pop()
-    }
 }

@@ -21,6 +21,7 @@ pub(super) const EXPORTER: Exporter = Exporter {
     extension: "igs",
     summary: "IGES, rational B-spline surfaces",
     several: true,
+    shows_report: false,
     write,
 };
 

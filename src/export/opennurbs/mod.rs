@@ -15,6 +15,7 @@ pub(super) const EXPORTER: Exporter = Exporter {
     extension: "3dm",
     summary: "3DM, surfaces of an openNURBS archive",
     several: true,
+    shows_report: false,
     write,
 };
 

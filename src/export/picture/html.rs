@@ -17,6 +17,7 @@ pub(in crate::export) const EXPORTER: Exporter = Exporter {
     extension: "html",
     summary: "a page to turn and to read exact coordinates from",
     several: true,
+    shows_report: true,
     write,
 };
 

@@ -19,6 +19,7 @@ pub(in crate::export) const EXPORTER: Exporter = Exporter {
     extension: "svg",
     summary: "a drawing with hidden lines removed",
     several: true,
+    shows_report: false,
     write,
 };
 

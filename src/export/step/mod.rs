@@ -23,6 +23,7 @@ pub(super) const EXPORTER: Exporter = Exporter {
     extension: "step",
     summary: "STEP, B-spline faces in shells",
     several: true,
+    shows_report: false,
     write,
 };
 
