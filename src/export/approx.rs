@@ -33,6 +33,58 @@ impl Double {
         exact.decide(nearest).ok()
     }
 
+    /// The double nearest to n/d for numbers n and d ≠ 0 of a ring: as [`Double::nearest`], but
+    /// without dividing wherever the leading digits of n and d decide.
+    #[must_use]
+    pub fn nearest_quotient<R: Ring>(numerator: &R, divisor: &R) -> Option<Self>
+    where
+        Real: Field<Ring = R>,
+    {
+        if numerator.is_zero() {
+            return Some(Self { bits: 0 });
+        }
+        let leading = match (numerator.as_integer(), divisor.as_integer()) {
+            (Some(numerator), Some(divisor)) => Self::by_leading_digits(numerator, divisor),
+            _ => None,
+        };
+        leading.or_else(|| {
+            let whole = |own: &R| Real::from_parts(own.clone(), Integer::from(1));
+            let inverse = whole(divisor).inverse()?;
+            Self::nearest(&whole(numerator).times(&inverse))
+        })
+    }
+
+    /// The double nearest to n/d; none where the leading digits do not tell, or where it is not
+    /// normal.
+    ///
+    /// Let |n| = (a + ε) 2ʲ and |d| = (b + δ) 2ᵏ with 128 digits a and b, and let a′ = ⌊a/2⌋ and
+    /// b′ = ⌊b/2⁶⁴⌋ ≥ 2⁶³. Then |n/d| = r 2ᵉ with e = j − k − 63 and a′/(b′ + 1) < r < (a′ + 1)/b′.
+    /// For q = ⌊a′/b′⌋ < 2⁶⁴ the right side is at most q + 1, and the left one more than q − 2, as
+    /// a′/b′ − a′/(b′ + 1) = (a′/b′)/(b′ + 1) < 2. So r rounds as every number of (q − 2, q + 1)
+    /// does, unless that holds a point half way between doubles.
+    fn by_leading_digits(numerator: &Integer, divisor: &Integer) -> Option<Self> {
+        let ((a, j), (b, k)) = (numerator.leading(), divisor.leading());
+        let quotient = u64::try_from((a >> 1) / (b >> 64)).ok()?;
+        let dropped = u64::BITS - quotient.leading_zeros() - 53;
+        let rest = quotient & ((1 << dropped) - 1);
+        let half = 1 << (dropped - 1);
+        if (half - 1..=half + 2).contains(&rest) {
+            return None;
+        }
+        let mantissa = (quotient >> dropped) + u64::from(rest > half);
+        // The least digit of the mantissa counts 2^step; a carry moves on to the next binade.
+        let step = j.checked_sub(k)? - 63 + i64::from(dropped);
+        let binade = step - LEAST_EXPONENT;
+        if !(1..2_000).contains(&binade) {
+            return None;
+        }
+        let binade = u64::try_from(binade).ok()? << FRACTION_BITS;
+        let negative = Ring::sign(numerator) != Ring::sign(divisor);
+        Some(Self {
+            bits: binade + mantissa | u64::from(negative) << 63,
+        })
+    }
+
     fn nearest_to_rational(exact: &Rational) -> Option<Self> {
         let (sign, numerator, denominator) = sign_and_parts(exact);
         if Ring::is_zero(&numerator) {

@@ -31,22 +31,26 @@ impl RoundedNet {
         let mut rounding = Rounding::default();
         let knots_u = rounding.knots(net.knots_u(), "u")?;
         let knots_v = rounding.knots(net.knots_v(), "v")?;
-        let mut weights = Vec::new();
-        let mut points = Vec::new();
+        let mut weights = Vec::with_capacity(net.rows());
+        let mut points = Vec::with_capacity(net.rows());
         for i in 0..net.rows() {
-            let mut row = (Vec::new(), Vec::new());
+            let mut row = (
+                Vec::with_capacity(net.columns()),
+                Vec::with_capacity(net.columns()),
+            );
             for j in 0..net.columns() {
-                let weight = rounding.round(net.weight(i, j), &|| format!("weight ({i}, {j})"))?;
-                row.0.push(weight);
-                let [x, y, z] = net.point(i, j);
-                let mut coordinate = |exact, name| {
-                    rounding.round(exact, &|| format!("{name} of control point ({i}, {j})"))
+                let (weight, divisor) = net.weight_parts(i, j);
+                let what = || format!("weight ({i}, {j})");
+                let exact = || net.weight(i, j).clone();
+                row.0
+                    .push(rounding.quotient((weight, &divisor), &exact, &what)?);
+                let (point, divisor) = net.point_parts(i, j);
+                let mut coordinate = |axis: usize| {
+                    let what = || format!("{} of control point ({i}, {j})", ["x", "y", "z"][axis]);
+                    let exact = || net.point(i, j)[axis].clone();
+                    rounding.quotient((point[axis], &divisor), &exact, &what)
                 };
-                row.1.push([
-                    coordinate(x, "x")?,
-                    coordinate(y, "y")?,
-                    coordinate(z, "z")?,
-                ]);
+                row.1.push([coordinate(0)?, coordinate(1)?, coordinate(2)?]);
             }
             weights.push(row.0);
             points.push(row.1);
@@ -130,6 +134,9 @@ impl RoundedNet {
         for i in 0..net.rows() {
             for j in 0..net.columns() {
                 let earlier = *seen.entry(self.points[i][j]).or_insert((i, j));
+                if net.coincide(earlier, (i, j)) {
+                    continue;
+                }
                 let (one, other) = (net.point(earlier.0, earlier.1), net.point(i, j));
                 let apart = [0, 1, 2].map(|axis| one[axis].minus(&other[axis]).absolute());
                 let apart = apart.into_iter().max().filter(|own| !own.is_zero());

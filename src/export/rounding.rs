@@ -1,9 +1,12 @@
 use crate::diag::Code;
 use crate::net::Knots;
-use crate::number::{Field, Rational, Real};
+use crate::number::{Field, Rational, Real, Ring};
 
 use super::approx::magnitude;
 use super::{Double, ExportFault};
+
+/// The numerators of exact numbers.
+type Numerator = <Real as Field>::Ring;
 
 /// Rounds the numbers of a file one by one and remembers those that become zero or subnormal.
 #[derive(Debug, Default)]
@@ -21,10 +24,29 @@ impl Rounding {
         what: &dyn Fn() -> String,
     ) -> Result<Double, ExportFault> {
         let double = Double::nearest(exact).ok_or_else(|| too_large(exact, &what()))?;
-        if double.is_tiny() && !exact.is_zero() {
+        self.watch(double, exact.is_zero(), what);
+        Ok(double)
+    }
+
+    /// The double nearest to n/d, where the exact quotient is only divided out for a message.
+    ///
+    /// - **errors** a number beyond the last double (E0306)
+    pub(super) fn quotient(
+        &mut self,
+        (numerator, divisor): (&Numerator, &Numerator),
+        exact: &dyn Fn() -> Real,
+        what: &dyn Fn() -> String,
+    ) -> Result<Double, ExportFault> {
+        let double = Double::nearest_quotient(numerator, divisor);
+        let double = double.ok_or_else(|| too_large(&exact(), &what()))?;
+        self.watch(double, numerator.is_zero(), what);
+        Ok(double)
+    }
+
+    fn watch(&mut self, double: Double, is_zero: bool, what: &dyn Fn() -> String) {
+        if double.is_tiny() && !is_zero {
             self.tiny.push(what());
         }
-        Ok(double)
     }
 
     /// The doubles of all knots along `u` or `v`, with their repetitions.

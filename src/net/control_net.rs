@@ -1,5 +1,8 @@
+use std::borrow::Cow;
+use std::cell::OnceCell;
+
 use crate::number::{Field, Integer, Real, Ring, lcm};
-use crate::poly::{BiDegree, BiPoly, UniPoly, bernstein};
+use crate::poly::{BiDegree, BiPoly, UniPoly, binomials, scaled_bernstein};
 
 use super::affine::affine;
 use super::{CurveNet, Knots};
@@ -11,13 +14,34 @@ type Numerator = <Real as Field>::Ring;
 ///
 /// Point (i, j) counts i along u and j along v. Weight (0, 0) is 1. Where a weight is 0 the point
 /// is at infinity; there `point` holds its direction (X, Y, Z)/W₀₀.
-#[derive(Clone, Debug, PartialEq, Eq)]
+///
+/// The net is held as integral homogeneous points, and weights and points are divided out when
+/// they are first asked for: that costs more than all that goes before it, and doubles do not need
+/// it.
+#[derive(Clone, Debug)]
 pub struct ControlNet {
     knots_u: Knots,
     knots_v: Knots,
-    weights: Vec<Real>,
-    points: Vec<[Real; 3]>,
+    /// c (W, X, Y, Z) of each point, with a factor c of its own.
+    controls: Vec<[Numerator; 4]>,
+    /// The factor of each point, positive, up to one that all points share.
+    factors: Vec<Integer>,
+    /// The first weight over the first factor.
+    first: Numerator,
+    weights: OnceCell<Vec<Real>>,
+    points: OnceCell<Vec<[Real; 3]>>,
 }
+
+impl PartialEq for ControlNet {
+    fn eq(&self, other: &Self) -> bool {
+        self.knots_u == other.knots_u
+            && self.knots_v == other.knots_v
+            && self.weights() == other.weights()
+            && self.points() == other.points()
+    }
+}
+
+impl Eq for ControlNet {}
 
 impl ControlNet {
     /// The net of given knots, weights and points, listed i by i and j within i.
@@ -33,11 +57,27 @@ impl ControlNet {
     ) -> Option<Self> {
         let count = knots_u.control_points() * knots_v.control_points();
         let sound = weights.len() == count && points.len() == count;
-        (sound && *weights.first()? == Real::one()).then_some(Self {
+        if !sound || *weights.first()? != Real::one() {
+            return None;
+        }
+        let control = |(weight, point): (&Real, &[Real; 3])| {
+            let factor = if weight.is_zero() {
+                &Real::one()
+            } else {
+                weight
+            };
+            let [x, y, z] = point.each_ref().map(|own| own.times(factor));
+            common([weight.clone(), x, y, z])
+        };
+        let (controls, factors) = weights.iter().zip(&points).map(control).unzip();
+        Some(Self {
             knots_u,
             knots_v,
-            weights,
-            points,
+            controls,
+            factors,
+            first: Numerator::one(),
+            weights: weights.into(),
+            points: points.into(),
         })
     }
 
@@ -73,19 +113,24 @@ impl ControlNet {
         let degree = bidegrees.reduce(BiDegree::max)?;
         let knots_u = Knots::bezier(degree.u, u.0, u.1)?;
         let knots_v = Knots::bezier(degree.v, v.0, v.1)?;
-        let tensors = coordinates.map(|own| Tensor::bernstein(own, degree, u, v));
-        let [weights, points @ ..] = Tensor::over_one_denominator(tensors);
-        let whole = |numerator: &Numerator| Real::from_parts(numerator.clone(), Integer::one());
-        let scale = whole(weights.first()?).inverse()?;
-        let divisors = weights
+        let controls = scaled_tensors(coordinates, degree, u, v);
+        let first = controls.first()?[0].clone();
+        if first.is_zero() {
+            return None;
+        }
+        let (in_u, in_v) = (binomials(degree.u), binomials(degree.v));
+        let factors = in_u
             .iter()
-            .map(|own| whole(own).inverse().unwrap_or_else(|| scale.clone()));
-        let points = divisors.enumerate().map(|(index, divisor)| {
-            std::array::from_fn(|axis| whole(&points[axis][index]).times(&divisor))
-        });
-        let points = points.collect();
-        let weights = weights.iter().map(|own| whole(own).times(&scale)).collect();
-        Self::new(knots_u, knots_v, weights, points)
+            .flat_map(|left| in_v.iter().map(move |right| left * right));
+        Some(Self {
+            knots_u,
+            knots_v,
+            controls,
+            factors: factors.collect(),
+            first,
+            weights: OnceCell::new(),
+            points: OnceCell::new(),
+        })
     }
 
     /// The same control points over other knots; none if those ask for another number of points.
@@ -133,42 +178,91 @@ impl ControlNet {
     /// The weight of control point (i, j); i < rows, j < columns.
     #[must_use]
     pub fn weight(&self, i: usize, j: usize) -> &Real {
-        &self.weights[i * self.columns() + j]
+        &self.weights()[i * self.columns() + j]
     }
 
     /// Control point (i, j) as (x, y, z), not multiplied by its weight; i < rows, j < columns.
     #[must_use]
     pub fn point(&self, i: usize, j: usize) -> &[Real; 3] {
-        &self.points[i * self.columns() + j]
+        &self.points()[i * self.columns() + j]
     }
 
     /// All weights, i by i and j within i.
     #[must_use]
     pub fn weights(&self) -> &[Real] {
-        &self.weights
+        self.weights.get_or_init(|| {
+            let scale = inverse(&self.first);
+            let pairs = self.controls.iter().zip(&self.factors);
+            let over = |(control, factor): (&[Numerator; 4], &Integer)| {
+                Real::from_parts(control[0].clone(), factor.clone()).times(&scale)
+            };
+            pairs.map(over).collect()
+        })
     }
 
     /// All control points, i by i and j within i.
     #[must_use]
     pub fn points(&self) -> &[[Real; 3]] {
-        &self.points
+        self.points.get_or_init(|| {
+            let point = |index: usize| {
+                let scale = inverse(&self.divisor(index));
+                let [_, point @ ..] = &self.controls[index];
+                point.each_ref().map(|own| whole(own).times(&scale))
+            };
+            (0..self.controls.len()).map(point).collect()
+        })
+    }
+
+    /// The numerator and the divisor of weight (i, j); i < rows, j < columns.
+    #[must_use]
+    pub fn weight_parts(&self, i: usize, j: usize) -> (&Numerator, Numerator) {
+        let index = i * self.columns() + j;
+        (
+            &self.controls[index][0],
+            self.first.scaled(&self.factors[index]),
+        )
+    }
+
+    /// The numerators of the coordinates of control point (i, j), and their divisor; i < rows,
+    /// j < columns.
+    #[must_use]
+    pub fn point_parts(&self, i: usize, j: usize) -> ([&Numerator; 3], Numerator) {
+        let index = i * self.columns() + j;
+        let [_, point @ ..] = &self.controls[index];
+        (point.each_ref(), self.divisor(index))
+    }
+
+    /// The weight of a point, or, where that is 0, the first weight with the factor of the point.
+    fn divisor(&self, index: usize) -> Numerator {
+        let weight = &self.controls[index][0];
+        if weight.is_zero() {
+            self.first.scaled(&self.factors[index])
+        } else {
+            weight.clone()
+        }
+    }
+
+    /// Whether two control points are the same point, or directions of the same length.
+    #[must_use]
+    pub fn coincide(&self, one: (usize, usize), other: (usize, usize)) -> bool {
+        if one == other {
+            return true;
+        }
+        let (left, first) = self.point_parts(one.0, one.1);
+        let (right, second) = self.point_parts(other.0, other.1);
+        let pairs = left.iter().zip(right);
+        pairs
+            .into_iter()
+            .all(|(left, right)| left.times(&second) == right.times(&first))
     }
 
     /// The homogeneous control point (W, X, Y, Z)/W₀₀; i < rows, j < columns.
     #[must_use]
     pub fn homogeneous(&self, i: usize, j: usize) -> [Real; 4] {
-        let (weight, [x, y, z]) = (self.weight(i, j), self.point(i, j));
-        let factor = if weight.is_zero() {
-            &Real::one()
-        } else {
-            weight
-        };
-        [
-            weight.clone(),
-            x.times(factor),
-            y.times(factor),
-            z.times(factor),
-        ]
+        let index = i * self.columns() + j;
+        let scale = inverse(&self.first.scaled(&self.factors[index]));
+        let control = self.controls[index].each_ref();
+        control.map(|own| whole(own).times(&scale))
     }
 
     /// The Bézier curve of the control points at these indices; the first weight among them is not
@@ -194,94 +288,92 @@ impl ControlNet {
     /// The least weight.
     #[must_use]
     pub fn min_weight(&self) -> &Real {
-        self.weights.iter().min().unwrap_or(&self.weights[0])
+        let weights = self.weights();
+        weights.iter().min().unwrap_or(&weights[0])
     }
 
     /// The greatest weight.
     #[must_use]
     pub fn max_weight(&self) -> &Real {
-        self.weights.iter().max().unwrap_or(&self.weights[0])
+        let weights = self.weights();
+        weights.iter().max().unwrap_or(&weights[0])
     }
 
     /// Whether every weight is positive: then the surface lies in the convex hull of its points.
     #[must_use]
     pub fn all_positive(&self) -> bool {
-        self.min_weight().sign().is_gt()
+        let sign = self.controls[0][0].sign();
+        self.controls.iter().all(|own| own[0].sign() == sign)
     }
 }
 
-/// Bernstein coefficients of a polynomial, i by i and j within i, over one denominator.
-struct Tensor {
-    numerators: Vec<Numerator>,
-    denominator: Integer,
-}
-
-impl Tensor {
-    /// Σ fₖ gₖ in the Bernstein basis of a bidegree that is at least its own: each factor is
-    /// converted alone, the terms are outer products.
-    fn bernstein(
-        polynomial: &BiPoly<Real>,
-        degree: BiDegree,
-        u: (&Real, &Real),
-        v: (&Real, &Real),
-    ) -> Self {
-        let fits = |(in_u, in_v): &(UniPoly<Real>, UniPoly<Real>)| {
-            in_u.degree() <= Some(degree.u) && in_v.degree() <= Some(degree.v)
-        };
-        let dense;
-        let terms = if polynomial.terms().iter().all(fits) {
-            polynomial.terms()
+/// C(n, i) C(m, j) times the Bernstein coefficients of four polynomials at the bidegree (n, m),
+/// which is at least theirs, over one denominator that is left out: i by i and j within i.
+///
+/// Each factor of Σ fₖ gₖ is converted alone, the terms are outer products.
+fn scaled_tensors(
+    coordinates: [&BiPoly<Real>; 4],
+    degree: BiDegree,
+    u: (&Real, &Real),
+    v: (&Real, &Real),
+) -> Vec<[Numerator; 4]> {
+    let fits = |(in_u, in_v): &(UniPoly<Real>, UniPoly<Real>)| {
+        in_u.degree() <= Some(degree.u) && in_v.degree() <= Some(degree.v)
+    };
+    // Where terms cancel above the bidegree, the dense form has no such terms.
+    let fitting = coordinates.map(|own| {
+        if own.terms().iter().all(fits) {
+            Cow::Borrowed(own)
         } else {
-            // The terms cancel above the bidegree; the dense form has no such terms.
-            dense = BiPoly::from_rows(&polynomial.rows());
-            dense.terms()
-        };
-        let factors: Vec<_> = terms
-            .iter()
-            .map(|(in_u, in_v)| {
-                let (in_u, below_u) = common(&bernstein(in_u, degree.u, u.0, u.1));
-                let (in_v, below_v) = common(&bernstein(in_v, degree.v, v.0, v.1));
-                (in_u, in_v, below_u * below_v)
-            })
-            .collect();
-        let denominators = factors.iter().map(|(_, _, below)| below);
-        let denominator = denominators.fold(Integer::one(), |all, below| lcm(&all, below));
-        let columns = degree.v + 1;
-        let mut numerators = vec![Numerator::zero(); (degree.u + 1) * columns];
-        for (in_u, in_v, below) in &factors {
-            let scale = &denominator / below;
-            let in_v: Vec<_> = in_v.iter().map(|own| own.scaled(&scale)).collect();
-            for (row, left) in numerators.chunks_exact_mut(columns).zip(in_u) {
-                for (sum, right) in row.iter_mut().zip(&in_v) {
-                    sum.add_product(left, right);
+            Cow::Owned(BiPoly::from_rows(&own.rows()))
+        }
+    });
+    let local = fitting.each_ref().map(|own| {
+        let factors = own.terms().iter();
+        let factors =
+            factors.map(|(in_u, in_v)| (in_u.restrict(u.0, u.1), in_v.restrict(v.0, v.1)));
+        factors.collect::<Vec<_>>()
+    });
+    let below =
+        |(in_u, in_v): &(UniPoly<Real>, UniPoly<Real>)| in_u.denominator() * in_v.denominator();
+    let denominators = local.iter().flatten().map(below);
+    let denominator = denominators.fold(Integer::one(), |all, own| lcm(&all, &own));
+    let columns = degree.v + 1;
+    let zero = || [(); 4].map(|()| Numerator::zero());
+    let mut controls = vec![zero(); (degree.u + 1) * columns];
+    for (axis, terms) in local.iter().enumerate() {
+        for term in terms {
+            let scale = &denominator / below(term);
+            let left = scaled_bernstein(term.0.numerators(), degree.u);
+            let mut right = scaled_bernstein(term.1.numerators(), degree.v);
+            if !scale.is_one() {
+                right = right.iter().map(|own| own.scaled(&scale)).collect();
+            }
+            for (row, left) in controls.chunks_exact_mut(columns).zip(&left) {
+                for (control, right) in row.iter_mut().zip(&right) {
+                    control[axis].add_product(left, right);
                 }
             }
         }
-        Self {
-            numerators,
-            denominator,
-        }
     }
-
-    /// The numerators of four tensors over their common denominator.
-    fn over_one_denominator(tensors: [Self; 4]) -> [Vec<Numerator>; 4] {
-        let denominators = tensors.iter().map(|own| &own.denominator);
-        let denominator = denominators.fold(Integer::one(), |all, own| lcm(&all, own));
-        tensors.map(|own| {
-            let scale = &denominator / own.denominator;
-            let scaled = own.numerators.iter().map(|value| value.scaled(&scale));
-            scaled.collect()
-        })
-    }
+    controls
 }
 
-/// The numerators of numbers over their common denominator.
-fn common(values: &[Real]) -> (Vec<Numerator>, Integer) {
-    let parts: Vec<_> = values.iter().map(Field::parts).collect();
+/// A number of the ring as one of the field.
+fn whole(numerator: &Numerator) -> Real {
+    Real::from_parts(numerator.clone(), Integer::one())
+}
+
+/// 1/a for a ≠ 0.
+fn inverse(divisor: &Numerator) -> Real {
+    whole(divisor).inverse().unwrap_or_else(Real::one)
+}
+
+/// The numerators of numbers over their common denominator, and the denominator.
+fn common<const N: usize>(values: [Real; N]) -> ([Numerator; N], Integer) {
+    let parts = values.map(|own| own.parts());
     let denominators = parts.iter().map(|(_, below)| below);
     let denominator = denominators.fold(Integer::one(), |all, below| lcm(&all, below));
-    let numerators = parts
-        .iter()
-        .map(|(numerator, below)| numerator.scaled(&(&denominator / below)));
-    (numerators.collect(), denominator)
+    let numerators = parts.map(|(numerator, below)| numerator.scaled(&(&denominator / &below)));
+    (numerators, denominator)
 }

@@ -119,6 +119,28 @@ impl Integer {
         self.div_mod_floor(divisor).0
     }
 
+    /// The leading 128 digits of |n| for n ≠ 0, and how many follow: |n| = (m + ε) 2ᵏ with
+    /// 2¹²⁷ ≤ m < 2¹²⁸ and 0 ≤ ε < 1. The second is negative for small numbers, whose ε is 0.
+    #[must_use]
+    pub fn leading(&self) -> (u128, i64) {
+        match &self.0 {
+            Form::Machine(own) => {
+                let size = own.unsigned_abs();
+                let shift = size.leading_zeros().min(u128::BITS - 1);
+                (size << shift, -i64::from(shift))
+            }
+            Form::Long(own) => {
+                let mut digits = own.iter_u64_digits().rev();
+                let mut next = || u128::from(digits.next().unwrap_or_default());
+                let (high, middle, low) = (next(), next(), next());
+                let shift = high.leading_zeros() - u64::BITS;
+                let wide = (high << 64 | middle) << shift;
+                let size = i64::try_from(own.bits()).unwrap_or(i64::MAX);
+                (wide | (low << shift) >> 64, size - 128)
+            }
+        }
+    }
+
     /// The digits of |n| to the base 2⁶⁴, the lowest first.
     pub(super) fn digits(&self) -> Vec<u64> {
         match &self.0 {

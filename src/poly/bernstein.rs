@@ -18,7 +18,8 @@ pub fn bernstein<F: Field>(polynomial: &UniPoly<F>, degree: usize, from: &F, to:
 }
 
 /// C(n,i) bᵢ on [0, 1] from ascending power coefficients.
-pub(super) fn scaled_bernstein<R: Ring>(powers: &[R], degree: usize) -> Vec<R> {
+#[must_use]
+pub fn scaled_bernstein<R: Ring>(powers: &[R], degree: usize) -> Vec<R> {
     // Highest k last: f ← f (1+x) + aₖ xᵏ, beginning with the constant a₀.
     let mut expanded = vec![R::zero(); degree + 1];
     for order in 0..=degree {
@@ -33,7 +34,8 @@ pub(super) fn scaled_bernstein<R: Ring>(powers: &[R], degree: usize) -> Vec<R> {
 }
 
 /// C(n,0), …, C(n,n)
-pub(super) fn binomials(degree: usize) -> Vec<Integer> {
+#[must_use]
+pub fn binomials(degree: usize) -> Vec<Integer> {
     let mut row = vec![Integer::from(1)];
     for index in 0..degree {
         let next = &row[index] * Integer::from(degree - index) / Integer::from(index + 1);

@@ -29,7 +29,9 @@ mod touching;
 mod uni;
 mod zero_set;
 
-pub use bernstein::{bernstein, de_casteljau, from_bernstein, subdivide};
+pub use bernstein::{
+    bernstein, binomials, de_casteljau, from_bernstein, scaled_bernstein, subdivide,
+};
 pub use bi::BiPoly;
 pub use bidegree::BiDegree;
 pub use bigcd::{exact_div_bi, gcd_bi};
