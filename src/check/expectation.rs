@@ -153,6 +153,7 @@ impl Judge<'_> {
             Quantity::Value(parts) => {
                 let fraction = Expander::new(self.domain, self.tower, self.limits)
                     .expand(&parts[0])?
+                    .fraction()
                     .reduce();
                 let whole = fraction.denominator().polynomial().as_constant();
                 whole
@@ -168,7 +169,10 @@ impl Judge<'_> {
         let mut expander = Expander::new(self.domain, self.tower, self.limits);
         let mut pairs = Vec::new();
         for (l, r) in left.iter().zip(right) {
-            pairs.push((expander.expand(l)?, expander.expand(r)?));
+            pairs.push((
+                expander.expand(l)?.fraction(),
+                expander.expand(r)?.fraction(),
+            ));
         }
         let constants: Option<Vec<(Real, Real)>> = pairs
             .iter()

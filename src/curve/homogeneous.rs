@@ -1,7 +1,7 @@
 use crate::number::Real;
-use crate::poly::{Fraction, RealRoot, UniPoly, gcd_all, lcm, real_roots};
+use crate::poly::{Quotient, RealRoot, UniPoly, gcd_all, lcm, real_roots};
 
-use super::{Interval, Parameter};
+use super::Interval;
 
 /// A curve in homogeneous coordinates (w; x, y, z): the points (x/w, y/w, z/w).
 ///
@@ -24,26 +24,18 @@ impl Homogeneous {
         }
     }
 
-    /// Brings three fractions in one parameter over the least common multiple of their
-    /// denominators, as they are written; none if they depend on the other parameter.
+    /// Brings three coordinates over the least common multiple of their denominators, as they are
+    /// written.
     #[must_use]
-    pub fn from_fractions(fractions: &[Fraction<Real>; 3], parameter: Parameter) -> Option<Self> {
-        let zero = Real::from(0);
-        let parts = fractions.each_ref().map(|own| match parameter {
-            Parameter::U => (own.numerator().at_v(&zero), own.denominator().in_u()),
-            Parameter::V => (own.numerator().at_u(&zero), own.denominator().in_v()),
+    pub fn from_quotients(quotients: &[Quotient<Real>; 3]) -> Self {
+        let weight = quotients.iter().fold(UniPoly::one(), |common, own| {
+            lcm(&common, own.denominator())
         });
-        let weight = parts
-            .iter()
-            .fold(UniPoly::one(), |common, (_, own)| lcm(&common, own));
-        let over = |(numerator, denominator): &(UniPoly<Real>, &UniPoly<Real>)| {
-            Some(numerator * &weight.exact_div(denominator)?)
-        };
-        let coordinates = [over(&parts[0])?, over(&parts[1])?, over(&parts[2])?];
-        Some(Self {
+        let coordinates = quotients.each_ref().map(|own| own.numerator_over(&weight));
+        Self {
             weight,
             coordinates,
-        })
+        }
     }
 
     /// The zeros on an interval that all four coordinates share.

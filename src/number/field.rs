@@ -84,6 +84,8 @@ pub trait Field: Clone + PartialEq + Eq + Ord + Debug + Display + Send + Sync + 
     fn one() -> Self;
     /// Whether it is 0.
     fn is_zero(&self) -> bool;
+    /// Whether it is 1.
+    fn is_one(&self) -> bool;
     /// Whether it is a rational number.
     fn is_rational(&self) -> bool {
         self.parts().0.height() == 0

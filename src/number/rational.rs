@@ -175,6 +175,10 @@ impl Field for Rational {
         Zero::is_zero(&self.0)
     }
 
+    fn is_one(&self) -> bool {
+        One::is_one(&self.0)
+    }
+
     fn plus(&self, other: &Self) -> Self {
         Self(&self.0 + &other.0)
     }

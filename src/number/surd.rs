@@ -236,6 +236,14 @@ impl Field for Surd {
         self.numerator.is_zero()
     }
 
+    fn is_one(&self) -> bool {
+        self.denominator.is_one() && self.numerator.is_one()
+    }
+
+    fn is_rational(&self) -> bool {
+        self.numerator.level().is_none()
+    }
+
     fn plus(&self, other: &Self) -> Self {
         self.combine(other, Ring::plus)
     }

@@ -105,7 +105,8 @@ impl<F: Field> BiPoly<F> {
     pub fn is_zero(&self) -> bool {
         match self.terms.len() {
             0 => true,
-            1 => false,
+            // Different primitive factors are linearly independent.
+            1 | 2 => false,
             _ => self.rows().is_empty(),
         }
     }
@@ -113,8 +114,13 @@ impl<F: Field> BiPoly<F> {
     /// The exact bidegree; none for 0.
     #[must_use]
     pub fn bidegree(&self) -> Option<BiDegree> {
-        if let [(in_u, in_v)] = self.terms.as_slice() {
-            return Some(BiDegree::new(in_u.degree()?, in_v.degree()?));
+        if self.is_zero() {
+            return None;
+        }
+        let in_u = top_degree(self.terms.iter().map(|(in_u, in_v)| (in_u, in_v)));
+        let in_v = top_degree(self.terms.iter().map(|(in_u, in_v)| (in_v, in_u)));
+        if let (Some(u), Some(v)) = (in_u, in_v) {
+            return Some(BiDegree::new(u, v));
         }
         let rows = self.rows();
         let in_v = rows.iter().filter_map(UniPoly::degree).max()?;
@@ -214,7 +220,7 @@ impl<F: Field> BiPoly<F> {
     pub fn content_u(&self) -> UniPoly<F> {
         match self.terms.as_slice() {
             [(in_u, _)] => in_u.clone(),
-            _ => gcd_all(&self.columns()),
+            _ => gcd_all(&self.parts_u()),
         }
     }
 
@@ -223,7 +229,7 @@ impl<F: Field> BiPoly<F> {
     pub fn content_v(&self) -> UniPoly<F> {
         match self.terms.as_slice() {
             [(_, in_v)] => in_v.primitive(),
-            _ => gcd_all(&self.rows()),
+            _ => gcd_all(&self.parts_v()),
         }
     }
 
@@ -346,6 +352,24 @@ impl<F: Field> BiPoly<F> {
         }
         polynomial
     }
+}
+
+/// The degree in x of Σ f(x) g(y), unless leading terms cancel.
+///
+/// The coefficient of the highest power of x among the f is Σ lc(f) g over those that have it.
+fn top_degree<'a, F: Field>(
+    terms: impl Iterator<Item = (&'a UniPoly<F>, &'a UniPoly<F>)> + Clone,
+) -> Option<usize> {
+    let high = terms.clone().filter_map(|(own, _)| own.degree()).max()?;
+    let mut leading = terms.filter(|(own, _)| own.degree() == Some(high));
+    let (first, other) = (leading.next()?, leading.next());
+    if other.is_none() {
+        return Some(high);
+    }
+    let scaled = |(own, other): (&UniPoly<F>, &UniPoly<F>)| other.scale(&own.leading_coefficient());
+    let parts = [Some(first), other].into_iter().flatten().chain(leading);
+    let sum = UniPoly::sum(&parts.map(scaled).collect::<Vec<_>>());
+    (!sum.is_zero()).then_some(high)
 }
 
 /// The coefficients of 1, x, x², … of Σ f(x) g(y), as polynomials in y; the last is not 0.

@@ -1,3 +1,4 @@
+use super::content::POINT;
 use super::image::{Image, place_of_all};
 use super::interpolation::Interpolation;
 use super::{BiPoly, UniPoly, gcd};
@@ -116,9 +117,6 @@ fn gcd_of_primitive<F: Field>(left: &BiPoly<F>, right: &BiPoly<F>) -> BiPoly<F> 
     }
     interpolated_gcd(left, right)
 }
-
-/// The point at which images are taken: an accident, so that few polynomials are singular there.
-const POINT: u64 = 0x1234_5678_9abc_def1;
 
 /// Whether images at one point show that every common divisor is a constant.
 fn images_coprime<F: Field>(left: &BiPoly<F>, right: &BiPoly<F>, place: &Place) -> bool {

@@ -1,6 +1,6 @@
 use crate::number::Field;
 
-use super::{BiDegree, BiPoly, UniPoly, exact_div_bi, gcd, gcd_bi, lcm};
+use super::{BiDegree, BiPoly, Quotient, UniPoly, exact_div_bi, gcd, gcd_bi, lcm};
 
 /// A denominator D(u) E(v) M(u, v): factors in u alone, in v alone, and the rest, which has no
 /// factor in one variable. All three are primitive, so the value is canonical.
@@ -8,7 +8,8 @@ use super::{BiDegree, BiPoly, UniPoly, exact_div_bi, gcd, gcd_bi, lcm};
 pub struct Denominator<F: Field> {
     in_u: UniPoly<F>,
     in_v: UniPoly<F>,
-    mixed: BiPoly<F>,
+    /// None for 1.
+    mixed: Option<BiPoly<F>>,
 }
 
 impl<F: Field> Denominator<F> {
@@ -18,7 +19,7 @@ impl<F: Field> Denominator<F> {
         Self {
             in_u: UniPoly::one(),
             in_v: UniPoly::one(),
-            mixed: BiPoly::one(),
+            mixed: None,
         }
     }
 
@@ -28,7 +29,7 @@ impl<F: Field> Denominator<F> {
         Self {
             in_u: in_u.primitive(),
             in_v: in_v.primitive(),
-            mixed: BiPoly::one(),
+            mixed: None,
         }
     }
 
@@ -36,10 +37,13 @@ impl<F: Field> Denominator<F> {
     #[must_use]
     pub fn split(polynomial: &BiPoly<F>) -> Option<(F, Self)> {
         let (in_u, in_v, rest) = polynomial.split()?;
-        let lead = rest.rows().last()?.leading_coefficient();
         let (scale, mixed) = match rest.as_constant() {
-            Some(constant) => (constant, BiPoly::one()),
-            None => (lead.clone(), rest.scale(&lead.inverse()?)),
+            Some(constant) => (constant, None),
+            None => {
+                let lead = rest.rows().last()?.leading_coefficient();
+                let monic = rest.scale(&lead.inverse()?);
+                (lead, Some(monic))
+            }
         };
         Some((scale, Self { in_u, in_v, mixed }))
     }
@@ -56,26 +60,25 @@ impl<F: Field> Denominator<F> {
         &self.in_v
     }
 
-    /// M(u, v)
+    /// M(u, v); none for 1.
     #[must_use]
-    pub fn mixed(&self) -> &BiPoly<F> {
-        &self.mixed
+    pub fn mixed(&self) -> Option<&BiPoly<F>> {
+        self.mixed.as_ref()
     }
 
     /// Whether M is 1.
     #[must_use]
     pub fn is_separable(&self) -> bool {
-        self.mixed.bidegree() == Some(BiDegree::default())
+        self.mixed.is_none()
     }
 
     /// The denominator multiplied out.
     #[must_use]
     pub fn polynomial(&self) -> BiPoly<F> {
         let separable = BiPoly::product(&self.in_u, &self.in_v);
-        if self.is_separable() {
-            separable
-        } else {
-            &separable * &self.mixed
+        match &self.mixed {
+            None => separable,
+            Some(mixed) => &separable * mixed,
         }
     }
 
@@ -85,7 +88,10 @@ impl<F: Field> Denominator<F> {
         Self {
             in_u: &self.in_u * &other.in_u,
             in_v: &self.in_v * &other.in_v,
-            mixed: &self.mixed * &other.mixed,
+            mixed: match (&self.mixed, &other.mixed) {
+                (None, own) | (own, None) => own.clone(),
+                (Some(own), Some(other)) => Some(own * other),
+            },
         }
     }
 
@@ -95,7 +101,7 @@ impl<F: Field> Denominator<F> {
         Self {
             in_u: self.in_u.power(exponent),
             in_v: self.in_v.power(exponent),
-            mixed: self.mixed.power(exponent),
+            mixed: powered(self.mixed.as_ref(), exponent),
         }
     }
 
@@ -109,17 +115,15 @@ impl<F: Field> Denominator<F> {
                 lcm(left, right)
             }
         };
-        let mixed = match (self.is_separable(), other.is_separable()) {
-            (_, true) => self.mixed.clone(),
-            (true, false) => other.mixed.clone(),
-            (false, false) if self.mixed == other.mixed => self.mixed.clone(),
-            (false, false) => {
-                let common = gcd_bi(&self.mixed, &other.mixed);
-                let rest = exact_div_bi(&other.mixed, &common);
-                &self.mixed * &rest.unwrap_or_else(BiPoly::one)
+        let mixed = match (&self.mixed, &other.mixed) {
+            (None, own) | (own, None) => own.clone(),
+            (Some(own), Some(other)) if own == other => Some(own.clone()),
+            (Some(own), Some(other)) => {
+                let common = gcd_bi(own, other);
+                let rest = exact_div_bi(other, &common);
+                Some(monic(&(own * &rest.unwrap_or_else(BiPoly::one))))
             }
         };
-        let mixed = monic(&mixed);
         Self {
             in_u: univariate(&self.in_u, &other.in_u),
             in_v: univariate(&self.in_v, &other.in_v),
@@ -140,14 +144,24 @@ impl<F: Field> Denominator<F> {
         let in_u = divide(&multiple.in_u, &self.in_u).unwrap_or_else(UniPoly::one);
         let in_v = divide(&multiple.in_v, &self.in_v).unwrap_or_else(UniPoly::one);
         let separable = BiPoly::product(&in_u, &in_v);
-        if multiple.is_separable() || multiple.mixed == self.mixed {
-            return separable;
-        }
-        match exact_div_bi(&multiple.mixed, &self.mixed) {
+        let mixed = match (&multiple.mixed, &self.mixed) {
+            (None, _) => None,
+            (Some(whole), None) => Some(whole.clone()),
+            (Some(whole), Some(part)) if whole == part => None,
+            (Some(whole), Some(part)) => exact_div_bi(whole, part),
+        };
+        match mixed {
             Some(mixed) => &separable * &mixed,
             None => separable,
         }
     }
+}
+
+/// The power of a factor that may be absent.
+fn powered<F: Field>(factor: Option<&BiPoly<F>>, exponent: u32) -> Option<BiPoly<F>> {
+    factor
+        .filter(|_| exponent > 0)
+        .map(|own| own.power(exponent))
 }
 
 /// The multiple whose leading coefficient, in u and then in v, is 1.
@@ -171,6 +185,19 @@ pub struct Fraction<F: Field> {
 }
 
 impl<F: Field> Fraction<F> {
+    /// a(u) b(v)
+    #[must_use]
+    pub fn product(in_u: &Quotient<F>, in_v: &Quotient<F>) -> Self {
+        Self::new(
+            BiPoly::product(in_u.numerator(), in_v.numerator()),
+            Denominator {
+                in_u: in_u.denominator().clone(),
+                in_v: in_v.denominator().clone(),
+                mixed: None,
+            },
+        )
+    }
+
     /// N / D
     #[must_use]
     pub fn new(numerator: BiPoly<F>, denominator: Denominator<F>) -> Self {
@@ -224,6 +251,24 @@ impl<F: Field> Fraction<F> {
         let denominator = self.denominator.lcm(&other.denominator);
         let numerator = &self.numerator_over(&denominator) + &other.numerator_over(&denominator);
         Self::new(numerator, denominator)
+    }
+
+    /// a + b + … over the least common multiple of the denominators; 0 for none.
+    #[must_use]
+    pub fn sum(terms: &[&Self]) -> Self {
+        let denominator = terms.iter().fold(Denominator::one(), |common, own| {
+            common.lcm(&own.denominator)
+        });
+        let numerator = terms.iter().fold(BiPoly::zero(), |sum, own| {
+            &sum + &own.numerator_over(&denominator)
+        });
+        Self::new(numerator, denominator)
+    }
+
+    /// c a
+    #[must_use]
+    pub fn scale(&self, factor: &F) -> Self {
+        Self::new(self.numerator.scale(factor), self.denominator.clone())
     }
 
     /// −a
@@ -280,7 +325,11 @@ impl<F: Field> Fraction<F> {
     /// ∂a/∂u = (N′ D − N D′) / D²; a denominator free of u stays as it is.
     #[must_use]
     pub fn derivative_u(&self) -> Self {
-        let own = &BiPoly::in_u(&self.denominator.in_u) * &self.denominator.mixed;
+        let own = BiPoly::in_u(&self.denominator.in_u);
+        let own = match &self.denominator.mixed {
+            None => own,
+            Some(mixed) => &own * mixed,
+        };
         let numerator = self.numerator.derivative_u();
         if own.derivative_u().is_zero() {
             return Self::new(numerator, self.denominator.clone());
@@ -289,7 +338,7 @@ impl<F: Field> Fraction<F> {
         let squared = Denominator {
             in_u: self.denominator.in_u.power(2),
             in_v: self.denominator.in_v.clone(),
-            mixed: self.denominator.mixed.power(2),
+            mixed: powered(self.denominator.mixed.as_ref(), 2),
         };
         Self::new(numerator, squared)
     }
@@ -303,25 +352,22 @@ impl<F: Field> Fraction<F> {
     /// a(v, u)
     #[must_use]
     pub fn transpose(&self) -> Self {
-        let denominator = Denominator {
-            in_u: self.denominator.in_v.clone(),
-            in_v: self.denominator.in_u.clone(),
-            mixed: self.denominator.mixed.transpose(),
-        };
-        let lead = denominator
-            .mixed
-            .rows()
-            .last()
-            .map(UniPoly::leading_coefficient);
+        let Denominator { in_u, in_v, mixed } = self.denominator.clone();
+        let (in_u, in_v) = (in_v, in_u);
+        let numerator = self.numerator.transpose();
+        let mixed = mixed.map(|own| own.transpose());
+        let rows = mixed.as_ref().map(BiPoly::rows).unwrap_or_default();
+        let lead = rows.last().map(UniPoly::leading_coefficient);
         match lead.and_then(|lead| lead.inverse()) {
-            Some(inverse) if inverse != F::one() => Self::new(
-                self.numerator.transpose().scale(&inverse),
+            Some(inverse) => Self::new(
+                numerator.scale(&inverse),
                 Denominator {
-                    mixed: denominator.mixed.scale(&inverse),
-                    ..denominator
+                    in_u,
+                    in_v,
+                    mixed: mixed.map(|own| own.scale(&inverse)),
                 },
             ),
-            _ => Self::new(self.numerator.transpose(), denominator),
+            None => Self::new(numerator, Denominator { in_u, in_v, mixed }),
         }
     }
 
@@ -330,7 +376,10 @@ impl<F: Field> Fraction<F> {
     pub fn evaluate(&self, u: &F, v: &F) -> Option<F> {
         let denominator = self.denominator.in_u.evaluate(u);
         let denominator = denominator.times(&self.denominator.in_v.evaluate(v));
-        let denominator = denominator.times(&self.denominator.mixed.evaluate(u, v));
+        let denominator = match &self.denominator.mixed {
+            None => denominator,
+            Some(mixed) => denominator.times(&mixed.evaluate(u, v)),
+        };
         Some(self.numerator.evaluate(u, v).times(&denominator.inverse()?))
     }
 
@@ -354,15 +403,15 @@ impl<F: Field> Fraction<F> {
             .in_v
             .exact_div(&in_v)
             .unwrap_or(denominator.in_v);
-        if !denominator.is_separable() {
-            let common = gcd_bi(&numerator, &denominator.mixed);
-            let divided = exact_div_bi(&denominator.mixed, &common);
+        if let Some(mixed) = &denominator.mixed {
+            let common = gcd_bi(&numerator, mixed);
+            let divided = exact_div_bi(mixed, &common);
             if let (Some(top), Some(bottom)) = (exact_div_bi(&numerator, &common), divided) {
                 let normal = monic(&bottom);
                 let lead = bottom.rows().last().map(UniPoly::leading_coefficient);
                 let scale = lead.and_then(|lead| lead.inverse()).unwrap_or_else(F::one);
                 numerator = top.scale(&scale);
-                denominator.mixed = normal;
+                denominator.mixed = normal.as_constant().is_none().then_some(normal);
             }
         }
         Self::new(numerator, denominator)

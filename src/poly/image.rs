@@ -201,6 +201,33 @@ pub(super) fn image_gcd(mut high: Vec<u64>, mut low: Vec<u64>, modulus: &Modulus
     }
 }
 
+/// The rank of a list of images, as vectors of coefficients over one prime field.
+pub(super) fn rank(mut images: Vec<Image>) -> usize {
+    let mut rank = 0;
+    while let Some(pivot) = images.pop() {
+        let Some(lead) = pivot.coefficients.last().copied() else {
+            continue;
+        };
+        rank += 1;
+        let degree = pivot.coefficients.len() - 1;
+        for image in &mut images {
+            let Some(own) = image.coefficients.get(degree).copied() else {
+                continue;
+            };
+            // image ← lead image − own pivot, which is 0 at that degree
+            for (index, value) in image.coefficients.iter_mut().enumerate() {
+                let part = pivot.coefficients.get(index).copied().unwrap_or(0);
+                let modulus = &pivot.modulus;
+                *value = modulus.minus(modulus.times(*value, lead), modulus.times(part, own));
+            }
+            while image.coefficients.last() == Some(&0) {
+                image.coefficients.pop();
+            }
+        }
+    }
+    rank
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

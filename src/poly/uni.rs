@@ -54,7 +54,10 @@ impl<F: Field> UniPoly<F> {
     /// 1
     #[must_use]
     pub fn one() -> Self {
-        Self::constant(&F::one())
+        Self {
+            numerators: vec![F::Ring::one()],
+            denominator: Integer::one(),
+        }
     }
 
     /// x
@@ -66,7 +69,39 @@ impl<F: Field> UniPoly<F> {
     /// The constant polynomial c.
     #[must_use]
     pub fn constant(value: &F) -> Self {
-        Self::from_coefficients(std::slice::from_ref(value))
+        let (numerator, denominator) = value.parts();
+        let numerators = if numerator.is_zero() {
+            Vec::new()
+        } else {
+            vec![numerator]
+        };
+        Self {
+            numerators,
+            denominator,
+        }
+    }
+
+    /// p + q + …
+    #[must_use]
+    pub fn sum(terms: &[Self]) -> Self {
+        if let [only] = terms {
+            return only.clone();
+        }
+        let common = terms
+            .iter()
+            .fold(Integer::one(), |all, own| lcm(&all, &own.denominator));
+        let length = terms.iter().map(|own| own.numerators.len()).max();
+        let mut sums = vec![F::Ring::zero(); length.unwrap_or(0)];
+        for term in terms {
+            let factor = &common / &term.denominator;
+            let scaled = F::Ring::from_integer(&factor);
+            for (sum, own) in sums.iter_mut().zip(&term.numerators) {
+                if !own.is_zero() {
+                    sum.add_product(own, &scaled);
+                }
+            }
+        }
+        Self::from_numerators(sums, common)
     }
 
     /// The degree; none for 0.
@@ -157,6 +192,16 @@ impl<F: Field> UniPoly<F> {
     /// p(x)ⁿ
     #[must_use]
     pub fn power(&self, exponent: u32) -> Self {
+        if exponent == 1 {
+            return self.clone();
+        }
+        if let ([zero, one], Ok(power)) = (self.numerators.as_slice(), usize::try_from(exponent))
+            && zero.is_zero()
+            && one.is_one()
+            && self.denominator.is_one()
+        {
+            return Self::one().shift(power);
+        }
         let mut result = Self::one();
         for bit in (0..u32::BITS - exponent.leading_zeros()).rev() {
             result = &result * &result;
@@ -227,20 +272,25 @@ impl<F: Field> UniPoly<F> {
     /// Over a field other than the rationals the leading coefficient is first made rational.
     #[must_use]
     pub fn primitive(&self) -> Self {
-        let base = if self.leading_coefficient().is_rational() {
-            self.clone()
-        } else {
-            self.monic()
-        };
-        let content = base.content();
-        if content.is_zero() {
+        let Some(lead) = self.numerators.last() else {
             return Self::zero();
+        };
+        if lead.height() > 0 {
+            return self.monic().primitive();
         }
-        let negative = base.leading_coefficient().sign().is_lt();
-        let divisor = if negative { -content } else { content };
-        let numerators = base.numerators.iter().map(|own| own.divided(&divisor));
+        let content = self.content();
+        let negative = lead.sign().is_lt();
+        let numerators = match (content.is_one(), negative) {
+            (true, false) => self.numerators.clone(),
+            (true, true) => self.numerators.iter().map(Ring::negated).collect(),
+            (false, _) => {
+                let divisor = if negative { -content } else { content };
+                let numerators = self.numerators.iter();
+                numerators.map(|own| own.divided(&divisor)).collect()
+            }
+        };
         Self {
-            numerators: numerators.collect(),
+            numerators,
             denominator: Integer::one(),
         }
     }

@@ -201,8 +201,8 @@ impl<'a> Lowerer<'a> {
                 Axis::ALL.map(|axis| {
                     let index = [first, second].iter().position(|own| *own == axis);
                     index.map_or_else(
-                        || Expanded::constant(&Real::from(0)),
-                        |index| fractions[index].clone(),
+                        || Rc::new(Expanded::Number(Real::from(0))),
+                        |index| Rc::clone(&fractions[index]),
                     )
                 })
             }
@@ -237,7 +237,8 @@ impl<'a> Lowerer<'a> {
                 return Err(self.report(Diagnostic::new(Code::E0106, value.span, message)));
             }
         };
-        Homogeneous::from_fractions(&fractions, parameter).ok_or(Reported)
+        let [x, y, z] = fractions.map(|own| own.in_one(parameter).ok_or(Reported));
+        Ok(Homogeneous::from_quotients(&[x?, y?, z?]))
     }
 
     fn expand_on(
@@ -245,7 +246,7 @@ impl<'a> Lowerer<'a> {
         value: &Value,
         parameter: Parameter,
         domain: &curve::Interval,
-    ) -> Lowered<Vec<Expanded>> {
+    ) -> Lowered<Vec<Rc<Expanded>>> {
         let mut rectangle = Domain::unit();
         match parameter {
             Parameter::U => rectangle.u = domain.clone(),

@@ -1,6 +1,7 @@
 //! Degrees by counting: what a paper prints before anything is multiplied out.
 
 use std::collections::HashMap;
+use std::fmt;
 use std::rc::Rc;
 
 use crate::curve::{Axis, Curve, Parameter, Property};
@@ -15,32 +16,7 @@ pub type DegreeBound = [Option<BiDegree>; 4];
 /// common multiple of the denominators as symbols, nothing cancels.
 #[must_use]
 pub fn degree_bound(coordinates: &Vector) -> DegreeBound {
-    let mut counter = Counter::default();
-    let counted = coordinates.each_ref().map(|own| counter.count(own));
-    let common = counted.iter().fold(Factors::default(), |common, own| {
-        common.lcm(&own.denominator)
-    });
-    let weight = common.degree();
-    let over = |own: &Counted| {
-        Some(raise(
-            own.numerator.as_ref()?.degree(),
-            weight,
-            own.denominator.degree(),
-        ))
-    };
-    let [x, y, z] = counted.each_ref().map(over);
-    [Some(weight), x, y, z]
-}
-
-/// The largest bidegree that occurs when an expression is expanded.
-#[must_use]
-pub(super) fn predicted_degree(expression: &Scalar) -> BiDegree {
-    let counted = Counter::default().count(expression);
-    let top = counted
-        .numerator
-        .map(|own| own.degree())
-        .unwrap_or_default();
-    top.max(counted.denominator.degree())
+    Counter::default().bound(coordinates)
 }
 
 /// d + whole − part
@@ -113,26 +89,30 @@ impl Factors {
         })
     }
 
-    fn merge(&self, other: &Self, join: impl Fn(usize, usize) -> usize) -> Self {
-        let mut merged = self.clone();
+    fn merge(&mut self, other: &Self, join: impl Fn(usize, usize) -> usize) {
         for factor in &other.0 {
-            match merged.0.iter_mut().find(|own| own.symbol == factor.symbol) {
+            match self.0.iter_mut().find(|own| own.symbol == factor.symbol) {
                 Some(own) => {
                     own.exponent = join(own.exponent, factor.exponent);
                     own.degree = own.degree.max(factor.degree);
                 }
-                None => merged.0.push(factor.clone()),
+                None => self.0.push(factor.clone()),
             }
         }
-        merged
     }
 
-    fn times(&self, other: &Self) -> Self {
-        self.merge(other, |left, right| left.saturating_add(right))
+    fn multiply(&mut self, other: &Self) {
+        self.merge(other, usize::saturating_add);
     }
 
-    fn lcm(&self, other: &Self) -> Self {
-        self.merge(other, usize::max)
+    /// The least common multiple, in the place of the first.
+    fn raise_to(&mut self, other: &Self) {
+        self.merge(other, usize::max);
+    }
+
+    fn times(mut self, other: &Self) -> Self {
+        self.multiply(other);
+        self
     }
 
     fn power(&self, exponent: usize) -> Self {
@@ -159,19 +139,63 @@ struct Counted {
     denominator: Factors,
 }
 
+impl Counted {
+    fn multiply(&mut self, other: &Self) {
+        match (&mut self.numerator, &other.numerator) {
+            (Some(own), Some(other)) => own.multiply(other),
+            (own, _) => *own = None,
+        }
+        self.denominator.multiply(&other.denominator);
+    }
+}
+
 /// Counts; what is shared is counted once.
 #[derive(Default)]
-struct Counter {
-    counted: HashMap<usize, Counted>,
+pub(super) struct Counter {
+    /// The expression is kept beside its count, so that its identity stays its own.
+    counted: HashMap<usize, (Scalar, Rc<Counted>)>,
+}
+
+impl fmt::Debug for Counter {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.debug_struct("Counter").finish_non_exhaustive()
+    }
 }
 
 impl Counter {
-    fn count(&mut self, expression: &Scalar) -> Counted {
-        if let Some(counted) = self.counted.get(&expression.identity()) {
-            return counted.clone();
+    /// The bidegrees of W, X, Y, Z.
+    pub(super) fn bound(&mut self, coordinates: &Vector) -> DegreeBound {
+        let counted = coordinates.each_ref().map(|own| self.count(own));
+        let mut common = Factors::default();
+        for own in &counted {
+            common.raise_to(&own.denominator);
         }
-        let counted = self.count_form(expression);
-        self.counted.insert(expression.identity(), counted.clone());
+        let weight = common.degree();
+        let over = |own: &Rc<Counted>| {
+            let numerator = own.numerator.as_ref()?;
+            Some(raise(numerator.degree(), weight, own.denominator.degree()))
+        };
+        let [x, y, z] = counted.each_ref().map(over);
+        [Some(weight), x, y, z]
+    }
+
+    /// The largest bidegree that occurs when an expression is expanded.
+    pub(super) fn largest(&mut self, expression: &Scalar) -> BiDegree {
+        let counted = self.count(expression);
+        let top = counted.numerator.as_ref().map(Factors::degree);
+        top.unwrap_or_default().max(counted.denominator.degree())
+    }
+
+    fn count(&mut self, expression: &Scalar) -> Rc<Counted> {
+        if !expression.is_shared() {
+            return Rc::new(self.count_form(expression));
+        }
+        if let Some((_, counted)) = self.counted.get(&expression.identity()) {
+            return Rc::clone(counted);
+        }
+        let counted = Rc::new(self.count_form(expression));
+        let entry = (expression.clone(), Rc::clone(&counted));
+        self.counted.insert(expression.identity(), entry);
         counted
     }
 
@@ -191,21 +215,16 @@ impl Counter {
             },
             Form::Sum(terms) => self.sum(expression, terms),
             Form::Product(factors) => {
-                factors
-                    .iter()
-                    .map(|own| self.count(own))
-                    .fold(constant(false), |product, own| Counted {
-                        numerator: match (product.numerator, own.numerator) {
-                            (Some(left), Some(right)) => Some(left.times(&right)),
-                            _ => None,
-                        },
-                        denominator: product.denominator.times(&own.denominator),
-                    })
+                let mut product = constant(false);
+                for own in factors {
+                    product.multiply(&self.count(own));
+                }
+                product
             }
             Form::Power(base, exponent) => {
                 let base = self.count(base);
                 let size = usize::try_from(exponent.unsigned_abs()).unwrap_or(usize::MAX);
-                let top = base.numerator.map(|own| own.power(size));
+                let top = base.numerator.as_ref().map(|own| own.power(size));
                 let bottom = base.denominator.power(size);
                 if *exponent < 0 {
                     Counted {
@@ -231,15 +250,16 @@ impl Counter {
             ),
             Form::SquareRoot(body) => opaque(expression, &self.count(body)),
             Form::Normal(surface, _) => normal(expression, surface),
-            Form::OnDomain(body, _) => self.count(body),
+            Form::OnDomain(body, _) => (*self.count(body)).clone(),
         }
     }
 
     fn sum(&mut self, expression: &Scalar, terms: &[Scalar]) -> Counted {
-        let terms: Vec<Counted> = terms.iter().map(|own| self.count(own)).collect();
-        let denominator = terms.iter().fold(Factors::default(), |common, own| {
-            common.lcm(&own.denominator)
-        });
+        let terms: Vec<Rc<Counted>> = terms.iter().map(|own| self.count(own)).collect();
+        let mut denominator = Factors::default();
+        for own in &terms {
+            denominator.raise_to(&own.denominator);
+        }
         let whole = denominator.degree();
         let degree = terms
             .iter()

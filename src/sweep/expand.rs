@@ -1,13 +1,16 @@
 use std::collections::HashMap;
+use std::rc::Rc;
 
-use crate::curve::{Fault, Parameter, PropertyFunction};
+use crate::curve::{Fault, Parameter};
 use crate::diag::{Code, Diagnostic, Limits};
 use crate::number::{Field, Real, Tower};
-use crate::poly::{BiPoly, Fraction};
+use crate::poly::{Fraction, Quotient};
 
-use super::bound::predicted_degree;
+use super::bound::Counter;
 use super::square_root::square_root;
-use super::{CurveProperty, Domain, Form, NormalFault, Scalar, Vector, unit_normal};
+use super::{
+    CurveProperty, DegreeBound, Domain, Expanded, Form, NormalFault, Scalar, Vector, unit_normal,
+};
 
 /// Multiplies expressions out to unreduced fractions of polynomials in u and v.
 ///
@@ -18,12 +21,10 @@ pub struct Expander<'a> {
     domain: &'a Domain,
     tower: &'a Tower,
     limits: &'a Limits,
+    counter: Counter,
     /// The expression is kept beside its expansion, so that its identity stays its own.
-    expanded: HashMap<usize, (Scalar, Fraction<Real>)>,
+    expanded: HashMap<usize, (Scalar, Rc<Expanded>)>,
 }
-
-/// What an expression expands to.
-pub type Expanded = Fraction<Real>;
 
 type Found<T> = Result<T, Box<Diagnostic>>;
 
@@ -36,11 +37,12 @@ impl<'a> Expander<'a> {
             domain,
             tower,
             limits,
+            counter: Counter::default(),
             expanded: HashMap::new(),
         }
     }
 
-    /// The fraction that an expression is, as it is written.
+    /// The function that an expression is, as it is written.
     ///
     /// # Errors
     ///
@@ -48,9 +50,9 @@ impl<'a> Expander<'a> {
     /// that is not (E0307), a property that a curve does not have (E02xx), and the limits: on
     /// degree and number of terms (E0505), which are checked before anything is multiplied, and
     /// on the degree of the field (E0509).
-    pub fn expand(&mut self, expression: &Scalar) -> Found<Fraction<Real>> {
+    pub fn expand(&mut self, expression: &Scalar) -> Found<Rc<Expanded>> {
         self.check_size(expression)?;
-        self.fraction(expression)
+        self.expanded(expression)
     }
 
     /// The fractions of three coordinates.
@@ -59,8 +61,8 @@ impl<'a> Expander<'a> {
     ///
     /// As [`Expander::expand`].
     pub fn expand_vector(&mut self, vector: &Vector) -> Found<[Fraction<Real>; 3]> {
-        let [x, y, z] = vector;
-        Ok([self.expand(x)?, self.expand(y)?, self.expand(z)?])
+        let [x, y, z] = vector.each_ref().map(|own| self.expand(own));
+        Ok([x?.fraction(), y?.fraction(), z?.fraction()])
     }
 
     /// The number that an expression is.
@@ -75,8 +77,13 @@ impl<'a> Expander<'a> {
         Ok(self.expand(expression)?.as_constant())
     }
 
-    fn check_size(&self, expression: &Scalar) -> Found<()> {
-        let degree = predicted_degree(expression);
+    /// The bidegrees of W, X, Y, Z by counting.
+    pub(super) fn degree_bound(&mut self, coordinates: &Vector) -> DegreeBound {
+        self.counter.bound(coordinates)
+    }
+
+    fn check_size(&mut self, expression: &Scalar) -> Found<()> {
+        let degree = self.counter.largest(expression);
         let terms = (degree.u.saturating_add(1)).saturating_mul(degree.v.saturating_add(1));
         let high = degree.u.max(degree.v);
         let excess = if high > self.limits.degree {
@@ -99,75 +106,71 @@ impl<'a> Expander<'a> {
         ))
     }
 
-    fn fraction(&mut self, expression: &Scalar) -> Found<Fraction<Real>> {
+    fn expanded(&mut self, expression: &Scalar) -> Found<Rc<Expanded>> {
         if let Form::Constant(value) = expression.form() {
-            return Ok(Fraction::constant(value));
+            return Ok(Rc::new(Expanded::Number(value.clone())));
         }
-        if let Some((_, fraction)) = self.expanded.get(&expression.identity()) {
-            return Ok(fraction.clone());
+        if !expression.is_shared() {
+            return self.form(expression).map(Rc::new);
         }
-        let fraction = self.fraction_of_form(expression)?;
-        self.expanded.insert(
-            expression.identity(),
-            (expression.clone(), fraction.clone()),
-        );
-        Ok(fraction)
+        if let Some((_, known)) = self.expanded.get(&expression.identity()) {
+            return Ok(Rc::clone(known));
+        }
+        let expanded = Rc::new(self.form(expression)?);
+        let entry = (expression.clone(), Rc::clone(&expanded));
+        self.expanded.insert(expression.identity(), entry);
+        Ok(expanded)
     }
 
-    fn fraction_of_form(&mut self, expression: &Scalar) -> Found<Fraction<Real>> {
+    fn all(&mut self, expressions: &[Scalar]) -> Found<Vec<Rc<Expanded>>> {
+        expressions.iter().map(|own| self.expanded(own)).collect()
+    }
+
+    fn fraction(&mut self, expression: &Scalar) -> Found<Fraction<Real>> {
+        Ok(self.expanded(expression)?.fraction())
+    }
+
+    fn form(&mut self, expression: &Scalar) -> Found<Expanded> {
         let zero_division = || division_by_zero(expression);
+        let in_both = Expanded::InBoth;
         match expression.form() {
-            Form::Constant(value) => Ok(Fraction::constant(value)),
-            Form::Parameter(parameter) => Ok(variable(*parameter)),
-            Form::Sum(terms) => self.sum(terms),
-            Form::Product(factors) => self.product(factors),
-            Form::Power(base, exponent) => self
-                .fraction(base)?
-                .power(*exponent)
-                .ok_or_else(zero_division),
+            Form::Constant(value) => Ok(Expanded::Number(value.clone())),
+            Form::Parameter(parameter) => Ok(Expanded::variable(*parameter)),
+            Form::Sum(terms) => Ok(Expanded::sum(&self.all(terms)?)),
+            Form::Product(factors) => Ok(Expanded::product(&self.all(factors)?)),
+            Form::Power(base, exponent) => {
+                let base = self.expanded(base)?;
+                base.power(*exponent).ok_or_else(zero_division)
+            }
             Form::Property(property, argument) => self.property(expression, property, argument),
-            Form::Partial(Parameter::U, body) => Ok(self.fraction(body)?.derivative_u()),
-            Form::Partial(Parameter::V, body) => Ok(self.fraction(body)?.derivative_v()),
-            Form::OnDomain(body, domain) if **domain == *self.domain => self.fraction(body),
+            Form::Partial(by, body) => Ok(self.expanded(body)?.partial(*by)),
+            Form::OnDomain(body, domain) if **domain == *self.domain => {
+                Ok((*self.expanded(body)?).clone())
+            }
             Form::OnDomain(body, domain) => {
-                Expander::new(domain, self.tower, self.limits).fraction(body)
+                let mut inner = Expander::new(domain, self.tower, self.limits);
+                Ok((*inner.expanded(body)?).clone())
             }
             Form::Substitution { body, .. } if body.is_rooted() => {
                 Err(Box::new(undecided_sign(expression)))
             }
             Form::Substitution { body, u, v } => {
                 let (u, v) = (self.fraction(u)?, self.fraction(v)?);
-                self.fraction(body)?
-                    .compose(&u, &v)
-                    .ok_or_else(zero_division)
+                let composed = self.fraction(body)?.compose(&u, &v);
+                composed.map(in_both).ok_or_else(zero_division)
             }
             Form::SquareRoot(body) => {
                 let radicand = self.fraction(body)?;
-                square_root(&radicand, self.domain, self.tower, expression.span())
+                let span = expression.span();
+                square_root(&radicand, self.domain, self.tower, span).map(in_both)
             }
             Form::Normal(surface, axis) => {
                 let expanded = self.expand_vector(surface)?;
                 let normal = unit_normal(&expanded, self.domain, self.tower)
                     .map_err(|fault| normal_finding(&fault, expression))?;
-                Ok(normal[axis.index()].clone())
+                Ok(in_both(normal[axis.index()].clone()))
             }
         }
-    }
-
-    fn sum(&mut self, terms: &[Scalar]) -> Found<Fraction<Real>> {
-        let mut sum = Fraction::constant(&Real::zero());
-        for term in terms {
-            sum = sum.plus(&self.fraction(term)?);
-        }
-        Ok(sum)
-    }
-
-    fn product(&mut self, factors: &[Scalar]) -> Found<Fraction<Real>> {
-        let mut product = Fraction::constant(&Real::one());
-        for factor in factors {
-            product = product.times(&self.fraction(factor)?);
-        }
-        Ok(product)
     }
 
     fn property(
@@ -175,7 +178,7 @@ impl<'a> Expander<'a> {
         expression: &Scalar,
         of: &CurveProperty,
         argument: &Scalar,
-    ) -> Found<Fraction<Real>> {
+    ) -> Found<Expanded> {
         let mut function = of
             .curve
             .property(of.property)
@@ -183,14 +186,17 @@ impl<'a> Expander<'a> {
         for _ in 0..of.derivative {
             function = function.derivative();
         }
+        let quotient = Quotient::new(&function.numerator, &function.denominator)
+            .ok_or_else(|| division_by_zero(expression))?;
         if let Form::Parameter(parameter) = argument.form() {
-            return in_parameter(&function, *parameter).ok_or_else(|| division_by_zero(expression));
+            return Ok(Expanded::InOne(*parameter, quotient));
         }
         let at = self.fraction(argument)?;
-        let outer = in_parameter(&function, Parameter::U);
         let zero = Fraction::constant(&Real::zero());
-        outer
-            .and_then(|outer| outer.compose(&at, &zero))
+        let outer = Expanded::InOne(Parameter::U, quotient).fraction();
+        let composed = outer.compose(&at, &zero);
+        composed
+            .map(Expanded::InBoth)
             .ok_or_else(|| division_by_zero(expression))
     }
 }
@@ -204,23 +210,6 @@ fn undecided_sign(expression: &Scalar) -> Diagnostic {
             "it is differentiated, or belongs to another surface, before its argument is replaced",
         )
         .help("differentiate the expression in which the argument is replaced: `dv(f(v + 2))`")
-}
-
-fn variable(parameter: Parameter) -> Fraction<Real> {
-    let linear = crate::poly::UniPoly::variable();
-    Fraction::polynomial(match parameter {
-        Parameter::U => BiPoly::in_u(&linear),
-        Parameter::V => BiPoly::in_v(&linear),
-    })
-}
-
-/// A function of one parameter as a fraction in u and v.
-fn in_parameter(function: &PropertyFunction, parameter: Parameter) -> Option<Fraction<Real>> {
-    let place = |polynomial| match parameter {
-        Parameter::U => BiPoly::in_u(polynomial),
-        Parameter::V => BiPoly::in_v(polynomial),
-    };
-    Fraction::quotient(&place(&function.numerator), &place(&function.denominator))
 }
 
 fn division_by_zero(expression: &Scalar) -> Box<Diagnostic> {

@@ -241,6 +241,12 @@ impl Scalar {
         Rc::as_ptr(&self.0).addr()
     }
 
+    /// Whether something else holds the expression too, so that it may be asked for again.
+    #[must_use]
+    pub(super) fn is_shared(&self) -> bool {
+        Rc::strong_count(&self.0) > 1
+    }
+
     /// Whether two expressions are written alike; pairs that were seen are not compared again.
     fn is_same(&self, other: &Self, seen: &mut HashSet<(usize, usize)>) -> bool {
         let pair = (self.identity(), other.identity());

@@ -156,9 +156,10 @@ fn root_of(polynomial: &Denominator<Real>) -> Result<(Real, Root), String> {
         univariate(polynomial.in_u(), "u")?,
         univariate(polynomial.in_v(), "v")?,
     );
-    let mixed = match square_test_bi(polynomial.mixed()) {
-        BiSquareTest::Square { factor, root } => (factor, root),
-        BiSquareTest::NotSquare { reason } => return Err(reason),
+    let mixed = match polynomial.mixed().map(square_test_bi) {
+        None => (Real::one(), BiPoly::one()),
+        Some(BiSquareTest::Square { factor, root }) => (factor, root),
+        Some(BiSquareTest::NotSquare { reason }) => return Err(reason),
     };
     let factor = in_u.0.times(&in_v.0).times(&mixed.0);
     Ok((

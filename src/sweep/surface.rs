@@ -1,14 +1,15 @@
+use std::cell::OnceCell;
 use std::rc::Rc;
 
 use crate::curve::Interval;
 use crate::diag::{Diagnostic, Limits, Span};
 use crate::number::{Field, Integer, Place, Real, Ring, Tower, gcd, lcm};
 use crate::poly::{
-    BiDegree, BiPoly, Coprimality, Denominator, Fraction, UniPoly, certify_coprime, exact_div_bi,
-    gcd as gcd_uni, gcd_bi,
+    BiDegree, BiPoly, Coprimality, Denominator, Fraction, UniPoly, common_factor_u,
+    common_factor_v, exact_div_bi, gcd_bi,
 };
 
-use super::{DegreeBound, Expander, Form, Scalar, Vector, degree_bound};
+use super::{DegreeBound, Expander, Form, Scalar, Vector};
 
 /// The rectangle of parameters on which a surface is used.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -85,19 +86,48 @@ impl SweptSurface {
 }
 
 /// The homogeneous coordinates W, X, Y, Z of a surface; the points are (X, Y, Z)/W.
-#[derive(Debug, Clone, PartialEq, Eq)]
+///
+/// Equal are those whose normal forms are.
+#[derive(Debug, Clone)]
 pub struct HomogeneousSurface {
     coordinates: [BiPoly<Real>; 4],
+    /// To be found means to multiply out, which nothing but a report needs.
+    normal: OnceCell<[BiPoly<Real>; 4]>,
 }
+
+impl PartialEq for HomogeneousSurface {
+    fn eq(&self, other: &Self) -> bool {
+        self.normal_form() == other.normal_form()
+    }
+}
+
+impl Eq for HomogeneousSurface {}
 
 impl HomogeneousSurface {
     /// The surface of given W, X, Y, Z.
     #[must_use]
     pub fn new(coordinates: [BiPoly<Real>; 4]) -> Self {
-        Self { coordinates }
+        Self {
+            coordinates,
+            normal: OnceCell::new(),
+        }
     }
 
-    /// W, X, Y, Z
+    /// The surface of given W, X, Y, Z, multiplied by a number so that W at the start corner of
+    /// the domain is positive and rational (if W vanishes there: W's first coefficient).
+    fn scaled(coordinates: [BiPoly<Real>; 4], domain: &Domain) -> Self {
+        Self::new(positive(coordinates, domain))
+    }
+
+    /// W, X, Y, Z, multiplied by a positive rational number so that the rational components of all
+    /// coefficients are coprime integers.
+    #[must_use]
+    pub fn normal_form(&self) -> &[BiPoly<Real>; 4] {
+        self.normal
+            .get_or_init(|| coprime_integers(&self.coordinates))
+    }
+
+    /// W, X, Y, Z up to a positive factor.
     #[must_use]
     pub fn coordinates(&self) -> &[BiPoly<Real>; 4] {
         &self.coordinates
@@ -144,25 +174,29 @@ impl HomogeneousSurface {
         let common = fractions.iter().fold(Denominator::one(), |common, own| {
             common.lcm(own.denominator())
         });
-        let point = fractions.each_ref().map(|own| own.numerator_over(&common));
-        let factor = CommonFactor::of(&common, &point);
-        let [x, y, z] = point;
+        let [x, y, z] = fractions.each_ref().map(|own| own.numerator_over(&common));
         let constructed = [common.polynomial(), x, y, z];
-        let reduced = constructed.each_ref().map(|own| factor.divide(own));
+        let bidegrees = constructed.each_ref().map(BiPoly::bidegree);
+        let factor = CommonFactor::of(&common, &constructed);
+        let (reduced, coprimality) = if factor.is_one() {
+            (constructed, factor.proof)
+        } else {
+            let reduced = constructed.each_ref().map(|own| factor.divide(own));
+            let coprimality = factor.certify(&common, &reduced);
+            (reduced, coprimality)
+        };
         Reduction {
-            coprimality: factor.certify(&reduced),
-            common_factor: normalise_one(&factor.polynomial(), domain),
-            constructed,
-            surface: Self {
-                coordinates: normalise(&reduced, domain),
-            },
+            constructed: bidegrees,
+            common_factor: normal_form(&factor.polynomial(), domain),
+            coprimality,
+            surface: Self::scaled(reduced, domain),
         }
     }
 }
 
 /// A surface before and after its common factor is removed.
 pub(super) struct Reduction {
-    pub(super) constructed: [BiPoly<Real>; 4],
+    pub(super) constructed: [Option<BiDegree>; 4],
     pub(super) common_factor: BiPoly<Real>,
     pub(super) coprimality: Option<Coprimality>,
     pub(super) surface: HomogeneousSurface,
@@ -179,7 +213,7 @@ pub struct Expansion {
     pub common_factor: BiPoly<Real>,
     /// How it was proved that what is left has no common factor.
     pub coprimality: Option<Coprimality>,
-    /// The reduced coordinates in normal form.
+    /// The reduced coordinates.
     pub surface: HomogeneousSurface,
 }
 
@@ -194,8 +228,8 @@ impl Expansion {
         let fractions = expander.expand_vector(&surface.coordinates)?;
         let reduction = HomogeneousSurface::of(&fractions, &surface.domain);
         Ok(Self {
-            bound: degree_bound(&surface.coordinates),
-            constructed: reduction.constructed.each_ref().map(BiPoly::bidegree),
+            bound: expander.degree_bound(&surface.coordinates),
+            constructed: reduction.constructed,
             common_factor: reduction.common_factor,
             coprimality: reduction.coprimality,
             surface: reduction.surface,
@@ -210,108 +244,104 @@ impl Expansion {
 struct CommonFactor {
     in_u: UniPoly<Real>,
     in_v: UniPoly<Real>,
-    mixed: BiPoly<Real>,
+    /// None for 1.
+    mixed: Option<BiPoly<Real>>,
+    /// How it was proved to be 1, if it is.
+    proof: Option<Coprimality>,
 }
 
 impl CommonFactor {
-    fn of(weight: &Denominator<Real>, point: &[BiPoly<Real>; 3]) -> Self {
-        let shared = |start: &UniPoly<Real>, content: fn(&BiPoly<Real>) -> UniPoly<Real>| {
-            point
-                .iter()
-                .filter(|own| !own.is_zero())
-                .fold(start.clone(), |common, own| {
-                    if common.is_constant() {
-                        common
-                    } else {
-                        gcd_uni(&common, &content(own))
-                    }
-                })
+    fn of(weight: &Denominator<Real>, coordinates: &[BiPoly<Real>; 4]) -> Self {
+        let point = coordinates[1..].iter().filter(|own| !own.is_zero());
+        let point: Vec<&BiPoly<Real>> = point.collect();
+        // A constant needs no proof.
+        let along = |own: &UniPoly<Real>, divisor: Shared| {
+            if own.is_constant() {
+                (UniPoly::one(), Some(None))
+            } else {
+                let (divisor, proof) = divisor(own, &point);
+                (divisor, proof.map(Some))
+            }
         };
-        let in_u = shared(weight.in_u(), BiPoly::content_u);
-        let in_v = shared(weight.in_v(), BiPoly::content_v);
-        let mixed = point.iter().filter(|own| !own.is_zero()).fold(
-            weight.mixed().clone(),
-            |common, own| {
+        let (in_u, first) = along(weight.in_u(), common_factor_u);
+        let (in_v, second) = along(weight.in_v(), common_factor_v);
+        let mixed = weight.mixed().map(|own| {
+            point.iter().fold(own.clone(), |common, own| {
                 if common.as_constant().is_some() {
                     common
                 } else {
                     gcd_bi(&common, own)
                 }
-            },
-        );
+            })
+        });
+        let mixed = mixed.filter(|own| own.as_constant().is_none());
+        let proof = match (first, second) {
+            (Some(first), Some(second)) if mixed.is_none() => {
+                Some(joined([first, second], weight.is_separable()))
+            }
+            _ => None,
+        };
         Self {
             in_u,
             in_v,
-            mixed: if mixed.as_constant().is_some() {
-                BiPoly::one()
-            } else {
-                mixed
-            },
+            mixed,
+            proof,
         }
     }
 
+    fn is_one(&self) -> bool {
+        self.in_u.is_constant() && self.in_v.is_constant() && self.mixed.is_none()
+    }
+
     fn polynomial(&self) -> BiPoly<Real> {
-        &BiPoly::product(&self.in_u, &self.in_v) * &self.mixed
+        let separable = BiPoly::product(&self.in_u, &self.in_v);
+        match &self.mixed {
+            None => separable,
+            Some(mixed) => &separable * mixed,
+        }
     }
 
     fn divide(&self, polynomial: &BiPoly<Real>) -> BiPoly<Real> {
         let mut quotient = polynomial.clone();
         quotient = quotient.exact_div_u(&self.in_u).unwrap_or(quotient);
         quotient = quotient.exact_div_v(&self.in_v).unwrap_or(quotient);
-        if self.mixed.as_constant().is_none() {
-            quotient = exact_div_bi(&quotient, &self.mixed).unwrap_or(quotient);
+        match &self.mixed {
+            None => quotient,
+            Some(mixed) => exact_div_bi(&quotient, mixed).unwrap_or(quotient),
         }
-        quotient
     }
 
     /// Proves once more, from the quotients, that nothing is left in common.
-    fn certify(&self, reduced: &[BiPoly<Real>; 4]) -> Option<Coprimality> {
-        let [weight, rest @ ..] = reduced;
-        let (_, weight) = Denominator::split(weight)?;
-        let rest: Vec<&BiPoly<Real>> = rest.iter().filter(|own| !own.is_zero()).collect();
-        // A constant needs no certificate.
-        let along = |own: &UniPoly<Real>, slices: Vec<UniPoly<Real>>| {
-            if own.is_constant() {
-                return Some(None);
-            }
-            let list: Vec<_> = std::iter::once(own).chain(&slices).collect();
-            certify_coprime(&list).map(Some)
+    fn certify(
+        &self,
+        weight: &Denominator<Real>,
+        reduced: &[BiPoly<Real>; 4],
+    ) -> Option<Coprimality> {
+        let in_u = weight.in_u().exact_div(&self.in_u)?;
+        let in_v = weight.in_v().exact_div(&self.in_v)?;
+        let weight = match (weight.mixed(), &self.mixed) {
+            (None, _) => Denominator::separable(&in_u, &in_v),
+            _ => Denominator::split(&reduced[0])?.1,
         };
-        let in_u = along(
-            weight.in_u(),
-            rest.iter().flat_map(|own| own.columns()).collect(),
-        )?;
-        let in_v = along(
-            weight.in_v(),
-            rest.iter().flat_map(|own| own.rows()).collect(),
-        )?;
-        let mixed = rest.iter().fold(weight.mixed().clone(), |common, own| {
-            if common.as_constant().is_some() {
-                common
-            } else {
-                gcd_bi(&common, own)
-            }
-        });
-        mixed.as_constant()?;
-        let certificates = [in_u, in_v];
-        let divided = certificates.contains(&Some(Coprimality::Euclid));
-        let rational = Coprimality::Modular(*Place::rational().modulus());
-        Some(if divided || !weight.is_separable() {
-            Coprimality::Euclid
-        } else {
-            certificates
-                .into_iter()
-                .flatten()
-                .next()
-                .unwrap_or(rational)
-        })
+        Self::of(&weight, reduced).proof
     }
 }
 
-/// The multiple in which W at the start corner of the domain is a positive rational number (if W
-/// vanishes there: W's first term) and the rational components of all coefficients are coprime
-/// integers.
-fn normalise(coordinates: &[BiPoly<Real>; 4], domain: &Domain) -> [BiPoly<Real>; 4] {
+/// A way to find the common divisors in one parameter.
+type Shared = fn(&UniPoly<Real>, &[&BiPoly<Real>]) -> (UniPoly<Real>, Option<Coprimality>);
+
+/// The weaker of two proofs; that for a constant is none.
+fn joined(proofs: [Option<Coprimality>; 2], separable: bool) -> Coprimality {
+    if proofs.contains(&Some(Coprimality::Euclid)) || !separable {
+        return Coprimality::Euclid;
+    }
+    let rational = Coprimality::Modular(*Place::rational().modulus());
+    proofs.into_iter().flatten().next().unwrap_or(rational)
+}
+
+/// The multiple in which the number at the start corner of the domain is positive and rational (if
+/// that is 0: the first coefficient).
+fn positive(coordinates: [BiPoly<Real>; 4], domain: &Domain) -> [BiPoly<Real>; 4] {
     let weight = &coordinates[0];
     let corner = weight.evaluate(domain.u.start(), domain.v.start());
     let unit = if corner.is_zero() {
@@ -319,29 +349,42 @@ fn normalise(coordinates: &[BiPoly<Real>; 4], domain: &Domain) -> [BiPoly<Real>;
     } else {
         corner
     };
-    let Some(inverse) = unit.inverse() else {
-        return coordinates.clone();
-    };
-    let scaled = coordinates.each_ref().map(|own| own.scale(&inverse));
+    if unit.is_rational() {
+        return if unit.sign().is_lt() {
+            coordinates.map(|own| -&own)
+        } else {
+            coordinates
+        };
+    }
+    match unit.inverse() {
+        Some(inverse) => coordinates.map(|own| own.scale(&inverse)),
+        None => coordinates,
+    }
+}
+
+/// The positive rational multiple in which the rational components of all coefficients are coprime
+/// integers.
+fn coprime_integers(coordinates: &[BiPoly<Real>; 4]) -> [BiPoly<Real>; 4] {
     let (mut divisor, mut multiple) = (<Integer as Ring>::zero(), <Integer as Ring>::one());
-    for row in scaled.iter().flat_map(BiPoly::rows) {
+    for row in coordinates.iter().flat_map(BiPoly::rows) {
         divisor = gcd(&divisor, &row.content());
         multiple = lcm(&multiple, row.denominator());
     }
+    if divisor.is_zero() {
+        return coordinates.clone();
+    }
     let factor = Real::from_parts(Ring::from_integer(&multiple), divisor);
-    scaled.map(|own| own.scale(&factor))
+    coordinates.each_ref().map(|own| own.scale(&factor))
 }
 
-fn normalise_one(polynomial: &BiPoly<Real>, domain: &Domain) -> BiPoly<Real> {
-    let [normal, ..] = normalise(
-        &[
-            polynomial.clone(),
-            BiPoly::zero(),
-            BiPoly::zero(),
-            BiPoly::zero(),
-        ],
-        domain,
-    );
+/// A polynomial in the normal form that W has alone.
+fn normal_form(polynomial: &BiPoly<Real>, domain: &Domain) -> BiPoly<Real> {
+    if polynomial.as_constant().is_some() {
+        return BiPoly::one();
+    }
+    let zero = BiPoly::zero;
+    let alone = positive([polynomial.clone(), zero(), zero(), zero()], domain);
+    let [normal, ..] = coprime_integers(&alone);
     normal
 }
 

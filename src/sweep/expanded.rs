@@ -1,0 +1,229 @@
+use std::rc::Rc;
+
+use crate::curve::Parameter;
+use crate::number::{Field, Real};
+use crate::poly::{BiPoly, Denominator, Fraction, Quotient, UniPoly};
+
+/// What an expression expands to, held in as few parameters as it is written with: most parts of
+/// a sweep are numbers or functions of one parameter, and only their products are surfaces.
+///
+/// The unreduced fraction is the same in each form, see [`Fraction`].
+#[derive(Clone, Debug)]
+pub enum Expanded {
+    /// A number.
+    Number(Real),
+    /// A function of one parameter.
+    InOne(Parameter, Quotient<Real>),
+    /// A function of u and v.
+    InBoth(Fraction<Real>),
+}
+
+/// Sums or products of what has been gathered, by the parameters that it depends on.
+struct Gathered<'a> {
+    numbers: Vec<&'a Real>,
+    in_one: [Vec<&'a Quotient<Real>>; 2],
+    in_both: Vec<&'a Fraction<Real>>,
+}
+
+impl<'a> Gathered<'a> {
+    fn of(parts: &'a [Rc<Expanded>]) -> Self {
+        let mut gathered = Self {
+            numbers: Vec::new(),
+            in_one: [Vec::new(), Vec::new()],
+            in_both: Vec::new(),
+        };
+        for part in parts {
+            match &**part {
+                Expanded::Number(own) => gathered.numbers.push(own),
+                Expanded::InOne(Parameter::U, own) => gathered.in_one[0].push(own),
+                Expanded::InOne(Parameter::V, own) => gathered.in_one[1].push(own),
+                Expanded::InBoth(own) => gathered.in_both.push(own),
+            }
+        }
+        gathered
+    }
+}
+
+impl Expanded {
+    /// u or v
+    #[must_use]
+    pub(super) fn variable(parameter: Parameter) -> Self {
+        Self::InOne(parameter, Quotient::polynomial(UniPoly::variable()))
+    }
+
+    /// The function as a fraction in u and v.
+    #[must_use]
+    pub fn fraction(&self) -> Fraction<Real> {
+        match self {
+            Self::Number(own) => Fraction::constant(own),
+            Self::InOne(Parameter::U, own) => Fraction::new(
+                BiPoly::in_u(own.numerator()),
+                Denominator::separable(own.denominator(), &UniPoly::one()),
+            ),
+            Self::InOne(Parameter::V, own) => Fraction::new(
+                BiPoly::in_v(own.numerator()),
+                Denominator::separable(&UniPoly::one(), own.denominator()),
+            ),
+            Self::InBoth(own) => own.clone(),
+        }
+    }
+
+    /// The function as a quotient in one parameter; none if it depends on the other one.
+    #[must_use]
+    pub fn in_one(&self, parameter: Parameter) -> Option<Quotient<Real>> {
+        let zero = Real::zero();
+        match self {
+            Self::Number(own) => Some(Quotient::polynomial(UniPoly::constant(own))),
+            Self::InOne(own, quotient) if *own == parameter => Some(quotient.clone()),
+            Self::InOne(..) => None,
+            Self::InBoth(own) => {
+                let denominator = own.denominator();
+                let (across, along, numerator) = match parameter {
+                    Parameter::U => (
+                        denominator.in_v(),
+                        denominator.in_u(),
+                        own.numerator().at_v(&zero),
+                    ),
+                    Parameter::V => (
+                        denominator.in_u(),
+                        denominator.in_v(),
+                        own.numerator().at_u(&zero),
+                    ),
+                };
+                let alone = across.is_constant() && denominator.is_separable();
+                alone.then(|| Quotient::new(&numerator, along))?
+            }
+        }
+    }
+
+    /// Whether the function is 0.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        match self {
+            Self::Number(own) => own.is_zero(),
+            Self::InOne(_, own) => own.numerator().is_zero(),
+            Self::InBoth(own) => own.is_zero(),
+        }
+    }
+
+    /// a + b + …
+    #[must_use]
+    pub(super) fn sum(terms: &[Rc<Self>]) -> Self {
+        let gathered = Gathered::of(terms);
+        let number = gathered.numbers.into_iter().fold(Real::zero(), |sum, own| {
+            if sum.is_zero() {
+                own.clone()
+            } else {
+                sum.plus(own)
+            }
+        });
+        let mut sums = gathered.in_one.map(|own| match own.as_slice() {
+            [] => None,
+            all => Some(Quotient::sum(all)),
+        });
+        // The number joins a function of one parameter, if there is one.
+        let host = sums.iter_mut().find_map(Option::as_mut);
+        let rest = match host {
+            Some(own) => {
+                *own = own.shifted(&number);
+                Real::zero()
+            }
+            None => number,
+        };
+        let [in_u, in_v] = sums;
+        match (in_u, in_v, gathered.in_both.is_empty()) {
+            (None, None, true) => Self::Number(rest),
+            (Some(own), None, true) => Self::InOne(Parameter::U, own),
+            (None, Some(own), true) => Self::InOne(Parameter::V, own),
+            (in_u, in_v, _) => {
+                let in_u = in_u.map(|own| Self::InOne(Parameter::U, own).fraction());
+                let in_v = in_v.map(|own| Self::InOne(Parameter::V, own).fraction());
+                let constant = (!rest.is_zero()).then(|| Fraction::constant(&rest));
+                let single = [in_v, in_u, constant];
+                let single = single.iter().flatten();
+                Self::InBoth(Fraction::sum(
+                    &single.chain(gathered.in_both).collect::<Vec<_>>(),
+                ))
+            }
+        }
+    }
+
+    /// a b …
+    #[must_use]
+    pub(super) fn product(factors: &[Rc<Self>]) -> Self {
+        let gathered = Gathered::of(factors);
+        let number = gathered.numbers.into_iter().fold(Real::one(), |all, own| {
+            if all.is_one() {
+                own.clone()
+            } else {
+                all.times(own)
+            }
+        });
+        let mut products = gathered.in_one.map(|own| {
+            let (first, rest) = own.split_first()?;
+            let all = rest
+                .iter()
+                .fold((*first).clone(), |all, own| all.times(own));
+            Some(all)
+        });
+        let host = products.iter_mut().rev().find_map(Option::as_mut);
+        let rest = match host {
+            Some(own) => {
+                *own = own.scale(&number);
+                Real::one()
+            }
+            None => number,
+        };
+        let [in_u, in_v] = products;
+        let single = match (in_u, in_v) {
+            (None, None) => Self::Number(rest),
+            (Some(own), None) => Self::InOne(Parameter::U, own),
+            (None, Some(own)) => Self::InOne(Parameter::V, own),
+            (Some(in_u), Some(in_v)) => Self::InBoth(Fraction::product(&in_u, &in_v)),
+        };
+        let Some((first, others)) = gathered.in_both.split_first() else {
+            return single;
+        };
+        let all = others
+            .iter()
+            .fold((*first).clone(), |all, own| all.times(own));
+        Self::InBoth(match &single {
+            Self::Number(own) if own.is_one() => all,
+            Self::Number(own) => all.scale(own),
+            other => all.times(&other.fraction()),
+        })
+    }
+
+    /// aⁿ for n of either sign; none for 0 to a negative power
+    #[must_use]
+    pub(super) fn power(&self, exponent: i64) -> Option<Self> {
+        Some(match self {
+            Self::Number(own) => Self::Number(own.power(exponent)?),
+            Self::InOne(parameter, own) => Self::InOne(*parameter, own.power(exponent)?),
+            Self::InBoth(own) => Self::InBoth(own.power(exponent)?),
+        })
+    }
+
+    /// ∂a/∂u or ∂a/∂v
+    #[must_use]
+    pub(super) fn partial(&self, by: Parameter) -> Self {
+        match self {
+            Self::Number(_) => Self::Number(Real::zero()),
+            Self::InOne(own, quotient) if *own == by => Self::InOne(by, quotient.derivative()),
+            Self::InOne(own, quotient) => Self::InOne(*own, quotient.scale(&Real::zero())),
+            Self::InBoth(own) => Self::InBoth(match by {
+                Parameter::U => own.derivative_u(),
+                Parameter::V => own.derivative_v(),
+            }),
+        }
+    }
+
+    /// The number that the function is; none if it depends on u or v.
+    #[must_use]
+    pub(super) fn as_constant(&self) -> Option<Real> {
+        match self {
+            Self::Number(own) => Some(own.clone()),
+            other => other.fraction().as_constant(),
+        }
+    }
+}
