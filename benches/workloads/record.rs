@@ -227,7 +227,7 @@ impl Parsed {
         let expansion = expansion.unwrap_or_else(|own| unreachable!("{own:?}"));
         let expanded = Instant::now();
         let (zero, one) = (Real::from(0), Real::from(1));
-        let coordinates = expansion.surface.coordinates();
+        let coordinates = expansion.surface.proportional();
         let net = ControlNet::bezier(coordinates.each_ref(), (&zero, &one), (&zero, &one));
         let Some(net) = net else {
             unreachable!("the first weight is 0");

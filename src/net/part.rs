@@ -33,7 +33,7 @@ impl Part {
     pub fn of(surface: &Checked) -> Option<Self> {
         let (u, v) = (&surface.domain().u, &surface.domain().v);
         let homogeneous = surface.surface().clone();
-        let coordinates = homogeneous.coordinates().each_ref();
+        let coordinates = homogeneous.proportional().each_ref();
         let net = ControlNet::bezier(coordinates, (u.start(), u.end()), (v.start(), v.end()))?;
         let piece = Piece {
             surface: Rc::new(homogeneous),
@@ -118,7 +118,7 @@ impl Part {
             let rectangles = positivity.rectangles.iter();
             for rectangle in rectangles.flat_map(|own| own.divided(self.division)) {
                 let (u, v) = (&rectangle.u, &rectangle.v);
-                let coordinates = surface.coordinates().each_ref();
+                let coordinates = surface.proportional().each_ref();
                 let (u, v) = ((u.start(), u.end()), (v.start(), v.end()));
                 let net = ControlNet::bezier(coordinates, u, v);
                 let net = net.and_then(|own| own.elevated(positivity.degree));

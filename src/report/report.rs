@@ -72,7 +72,7 @@ pub(super) struct Generator {
 
 /// The generators of the numbers that the report of a surface spells.
 fn basis(surface: &Checked) -> Basis {
-    let homogeneous = surface.surface().normal_form().iter();
+    let homogeneous = surface.surface().coordinates().iter();
     let polynomials = homogeneous.chain(std::iter::once(&surface.expansion().common_factor));
     let rows: Vec<UniPoly<Real>> = polynomials.flat_map(BiPoly::rows).collect();
     let places = surface.poles().iter().chain(surface.singular());
@@ -234,7 +234,7 @@ impl SurfaceReport {
             domain: domain(surface.domain(), basis),
             homogeneous: Coordinates::of(
                 homogeneous
-                    .normal_form()
+                    .coordinates()
                     .each_ref()
                     .map(|own| polynomial(own, basis)),
             ),

@@ -90,14 +90,14 @@ impl SweptSurface {
 /// Equal are those whose normal forms are.
 #[derive(Debug, Clone)]
 pub struct HomogeneousSurface {
-    coordinates: [BiPoly<Real>; 4],
+    proportional: [BiPoly<Real>; 4],
     /// To be found means to multiply out, which nothing but a report needs.
     normal: OnceCell<[BiPoly<Real>; 4]>,
 }
 
 impl PartialEq for HomogeneousSurface {
     fn eq(&self, other: &Self) -> bool {
-        self.normal_form() == other.normal_form()
+        self.coordinates() == other.coordinates()
     }
 }
 
@@ -106,9 +106,9 @@ impl Eq for HomogeneousSurface {}
 impl HomogeneousSurface {
     /// The surface of given W, X, Y, Z.
     #[must_use]
-    pub fn new(coordinates: [BiPoly<Real>; 4]) -> Self {
+    pub fn new(proportional: [BiPoly<Real>; 4]) -> Self {
         Self {
-            coordinates,
+            proportional,
             normal: OnceCell::new(),
         }
     }
@@ -122,34 +122,34 @@ impl HomogeneousSurface {
     /// W, X, Y, Z, multiplied by a positive rational number so that the rational components of all
     /// coefficients are coprime integers.
     #[must_use]
-    pub fn normal_form(&self) -> &[BiPoly<Real>; 4] {
-        self.normal
-            .get_or_init(|| coprime_integers(&self.coordinates))
-    }
-
-    /// W, X, Y, Z up to a positive factor.
-    #[must_use]
     pub fn coordinates(&self) -> &[BiPoly<Real>; 4] {
-        &self.coordinates
+        self.normal
+            .get_or_init(|| coprime_integers(&self.proportional))
     }
 
-    /// W
+    /// W, X, Y, Z up to a positive rational factor, without multiplying them out.
+    #[must_use]
+    pub fn proportional(&self) -> &[BiPoly<Real>; 4] {
+        &self.proportional
+    }
+
+    /// W up to a positive rational factor, which is that of [`Self::point`].
     #[must_use]
     pub fn weight(&self) -> &BiPoly<Real> {
-        &self.coordinates[0]
+        &self.proportional[0]
     }
 
-    /// (X, Y, Z)
+    /// (X, Y, Z) up to a positive rational factor
     #[must_use]
     pub fn point(&self) -> [BiPoly<Real>; 3] {
-        let [_, x, y, z] = &self.coordinates;
+        let [_, x, y, z] = &self.proportional;
         [x.clone(), y.clone(), z.clone()]
     }
 
     /// The bidegrees of W, X, Y, Z; none for a zero coordinate.
     #[must_use]
     pub fn bidegrees(&self) -> [Option<BiDegree>; 4] {
-        self.coordinates.each_ref().map(BiPoly::bidegree)
+        self.proportional.each_ref().map(BiPoly::bidegree)
     }
 
     /// The bidegree of the patch: the componentwise maximum.
