@@ -81,7 +81,7 @@ impl Double {
         let binade = u64::try_from(binade).ok()? << FRACTION_BITS;
         let negative = Ring::sign(numerator) != Ring::sign(divisor);
         Some(Self {
-            bits: binade + mantissa | u64::from(negative) << 63,
+            bits: (binade + mantissa) | (u64::from(negative) << 63),
         })
     }
 
