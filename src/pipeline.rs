@@ -87,10 +87,24 @@ pub fn compile_in_steps(
     done: &mut dyn FnMut(Step<'_>),
 ) -> Compilation {
     let library = library(sources, &mut diagnostics);
+    compile_with(&library, sources, documents, options, diagnostics, done)
+}
+
+/// As [`compile_in_steps`], with a standard library that was parsed before, for texts that are
+/// compiled many times.
+#[must_use]
+pub fn compile_with(
+    library: &Document,
+    sources: &SourceMap,
+    documents: &[Document],
+    options: &Options,
+    mut diagnostics: Diagnostics,
+    done: &mut dyn FnMut(Step<'_>),
+) -> Compilation {
     let input = sema::Sources {
         map: sources,
         documents,
-        library: &[library],
+        library: std::slice::from_ref(library),
         overrides: &options.overrides,
         limits: &options.limits,
     };
@@ -130,8 +144,8 @@ pub fn standard_library() -> Document {
     library(&mut SourceMap::default(), &mut Diagnostics::default())
 }
 
-/// The standard library's declarations.
-fn library(sources: &mut SourceMap, diagnostics: &mut Diagnostics) -> Document {
+/// The standard library's declarations; its text joins the sources.
+pub fn library(sources: &mut SourceMap, diagnostics: &mut Diagnostics) -> Document {
     let file = sources.add("<standard library>", LIBRARY);
     syntax::parse(file, LIBRARY, &Limits::default(), diagnostics)
 }

@@ -29,9 +29,9 @@ pub(super) struct Arguments {
     /// Work on this surface only
     #[arg(long, value_name = "NAME", global = true)]
     pub(super) surface: Option<String>,
-    /// How many files are worked on side by side; as many as the machine has cores if it is left
-    /// out. The result is the same
-    #[arg(long, value_name = "NUMBER", global = true)]
+    /// How many files or variants are worked on side by side; as many as the machine has cores if
+    /// it is left out. The result is the same
+    #[arg(long, visible_alias = "jobs", value_name = "NUMBER", global = true)]
     threads: Option<NonZeroUsize>,
     /// Print errors only: no warnings, no list of written files, no progress
     #[arg(short, long, global = true, conflicts_with = "verbose")]
@@ -49,7 +49,7 @@ pub(super) enum Command {
     Check(CheckArguments),
     /// Print the degree report of every surface of a file
     Report(ReportArguments),
-    /// Write the report, the exact net and CAD files of every surface of a file
+    /// Write the report, the exact net and CAD files of every surface of files or of their variants
     Compile(CompileArguments),
     /// Explain diagnostics by their codes; without one, list all
     Explain(ExplainArguments),
@@ -84,13 +84,21 @@ pub(super) struct ReportArguments {
 
 #[derive(Debug, Args)]
 pub(super) struct CompileArguments {
-    /// The file
-    #[arg(value_name = "FILE")]
-    pub(super) file: PathBuf,
+    /// The files. Several, or several variants of one, come with a table of their degrees, lengths
+    /// and verdicts
+    #[arg(required = true, value_name = "FILE")]
+    pub(super) files: Vec<PathBuf>,
+    /// Let a `param` run from START to END by STEP, all exact: `d=0:1:1/100`. Several of them give
+    /// every combination
+    #[arg(long, value_name = "NAME=START:END:STEP")]
+    pub(super) grid: Vec<String>,
+    /// Take the values of `param`s from a CSV file: names in the first line, then a variant a line
+    #[arg(long, value_name = "CSV")]
+    pub(super) list: Option<PathBuf>,
     /// Where to write; beside the file if it is left out
     #[arg(short, long, value_name = "DIR")]
     pub(super) output: Option<PathBuf>,
-    /// What to write: a comma-separated list of `report`, `json`, `step`, `iges`, `3dm`, `geomdl`,
+    /// What to write: a comma-separated list of `report`, `table`, `json`, `step`, `iges`, `3dm`, `geomdl`,
     /// `three`, `verb`, `truck`, `obj`, `svg`, `html`
     #[arg(
         long,
@@ -223,6 +231,9 @@ struct LimitArguments {
     /// Imported files
     #[arg(long, value_name = "FILES", global = true, default_value_t = Limits::default().imports)]
     max_imports: usize,
+    /// Variants of a run
+    #[arg(long, value_name = "VARIANTS", global = true, default_value_t = Limits::default().variants)]
+    max_variants: usize,
     /// Seconds of a run
     #[arg(long, value_name = "SECONDS", global = true, default_value_t = 60)]
     max_seconds: u64,
@@ -260,6 +271,7 @@ impl Arguments {
             bits: given.max_bits,
             field_degree: given.max_field_degree,
             imports: given.max_imports,
+            variants: given.max_variants,
             ..Limits::default()
         }
     }

@@ -1,10 +1,10 @@
 use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use crate::diag::{Code, Diagnostic, render_json};
 
 use super::arguments::{Arguments, CheckArguments, CheckFormat};
-use super::parallel::in_order;
+use super::parallel::Crew;
 use super::progress;
 use super::session::{Misuse, Session, assignments};
 use super::status::Status;
@@ -36,12 +36,16 @@ pub(super) fn run(own: &CheckArguments, arguments: &Arguments, stack: usize) -> 
     }
     let voice = Voice::of(arguments);
     let (mut worst, mut codes) = (Status::Success, BTreeSet::new());
-    let work = |file: &PathBuf| {
-        let checked = check(file, own, arguments, voice);
+    let work = |index: usize| {
+        let checked = check(&own.files[index], own, arguments, voice);
         progress::advance();
         checked
     };
-    in_order(&own.files, arguments.threads(), stack, work, |checked| {
+    let crew = Crew {
+        threads: arguments.threads(),
+        stack,
+    };
+    crew.in_order(own.files.len(), work, |checked| {
         let status = match checked {
             Some(checked) => {
                 tell(&checked.err);
@@ -60,7 +64,7 @@ pub(super) fn run(own: &CheckArguments, arguments: &Arguments, stack: usize) -> 
 }
 
 fn check(file: &Path, own: &CheckArguments, arguments: &Arguments, voice: Voice) -> Checked {
-    let mut session = match Session::open(file, arguments, false) {
+    let mut session = match Session::open(file, arguments) {
         Ok(session) => session,
         Err(Misuse(message)) => {
             return Checked {

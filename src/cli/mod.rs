@@ -1,9 +1,11 @@
 //! The command line: the only floor that reads and writes.
 
 mod arguments;
+mod batch;
 mod check;
 mod compile;
 mod completions;
+mod emit;
 mod explain;
 mod fmt;
 mod interrupt;
@@ -11,6 +13,7 @@ mod load;
 mod man;
 mod output;
 mod parallel;
+mod parsed;
 mod progress;
 mod report;
 mod session;
@@ -89,7 +92,7 @@ fn dispatch(arguments: &Arguments, stack: usize) -> Status {
     match &arguments.command {
         Command::Check(own) => check::run(own, arguments, stack),
         Command::Report(own) => report::run(own, arguments),
-        Command::Compile(own) => compile::run(own, arguments),
+        Command::Compile(own) => compile::run(own, arguments, stack),
         Command::Explain(own) => explain::run(own, arguments),
         Command::Fmt(own) => fmt::run(own, arguments),
         Command::Completions(own) => completions::run(own),

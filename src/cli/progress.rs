@@ -22,7 +22,13 @@ pub(super) fn begin_files(count: usize) {
     LINE.set_length(count as u64);
 }
 
-/// One of the files is done.
+/// Some variants are worked on.
+pub(super) fn begin_variants(count: usize) {
+    style("{elapsed} {pos} of {len} variants");
+    LINE.set_length(count as u64);
+}
+
+/// One of the files or variants is done.
 pub(super) fn advance() {
     LINE.inc(1);
 }

@@ -1,4 +1,5 @@
 use crate::diag::{Code, Diagnostic};
+use crate::pipeline::Compilation;
 use crate::report::{render_json, render_markdown, render_text};
 
 use super::arguments::{Arguments, ReportArguments, ReportFormat};
@@ -12,11 +13,11 @@ use super::voice::Voice;
 /// `sweepc report FILE`
 pub(super) fn run(own: &ReportArguments, arguments: &Arguments) -> Status {
     progress::begin(&file_name(&own.file));
-    let mut session = match Session::open(&own.file, arguments, false) {
+    let mut session = match Session::open(&own.file, arguments) {
         Ok(session) => session,
         Err(misuse) => return misuse.complain(),
     };
-    require_surfaces(&mut session, &own.file);
+    require_surfaces(&mut session.compilation, session.readable, &own.file);
     let voice = Voice::of(arguments);
     voice.tell(&session.compilation.diagnostics, &session.sources);
     let name = file_name(&own.file);
@@ -44,10 +45,12 @@ pub(super) fn run(own: &ReportArguments, arguments: &Arguments) -> Status {
 }
 
 /// A file without surfaces has nothing to report or to build.
-pub(super) fn require_surfaces(session: &mut Session, file: &std::path::Path) {
-    let compilation = &mut session.compilation;
-    if session.readable && compilation.surfaces.is_empty() && !compilation.diagnostics.has_errors()
-    {
+pub(super) fn require_surfaces(
+    compilation: &mut Compilation,
+    readable: bool,
+    file: &std::path::Path,
+) {
+    if readable && compilation.surfaces.is_empty() && !compilation.diagnostics.has_errors() {
         let message = format!("nothing to build: `{}` declares no surface", file.display());
         let finding = Diagnostic::global(Code::E0303, message);
         compilation

@@ -3,12 +3,13 @@ use std::path::{Path, PathBuf};
 
 use crate::diag::SourceMap;
 use crate::number::Real;
-use crate::pipeline::{Compilation, Options, Step, compile_in_steps};
+use crate::pipeline::{Compilation, Options, Step};
+use crate::sema::nearest;
 use crate::syntax::ast::{Declaration, Document};
 use crate::syntax::canonical_name;
 
 use super::arguments::Arguments;
-use super::load::{Loaded, load};
+use super::parsed::Parsed;
 use super::status::Status;
 use super::stopwatch::Stopwatch;
 use super::streams::complain;
@@ -52,58 +53,45 @@ impl Session {
     /// # Errors
     ///
     /// A `-D` or `--surface` that does not fit the file.
-    pub(super) fn open(
-        file: &Path,
-        arguments: &Arguments,
-        any_weight_ratio: bool,
-    ) -> Result<Self, Misuse> {
-        let limits = arguments.limits();
+    pub(super) fn open(file: &Path, arguments: &Arguments) -> Result<Self, Misuse> {
         let mut stopwatch = Stopwatch::start();
-        let Loaded {
-            mut sources,
-            documents,
-            diagnostics,
-            paths,
-        } = load(file, &limits);
+        let parsed = Parsed::read(file, &arguments.limits());
         stopwatch.lap("read and parsed");
-        let overrides = overrides(arguments, &documents, file)?;
-        let options = Options {
-            overrides,
-            surface: arguments.surface.clone(),
-            limits,
-            any_weight_ratio,
-            ..Options::default()
-        };
-        let readable = !documents.is_empty();
-        let compilation = if readable {
-            compile_in_steps(
-                &mut sources,
-                &documents,
-                &options,
-                diagnostics,
-                &mut |step| {
-                    stopwatch.lap(match step {
-                        Step::Lowered => "names and types resolved".to_owned(),
-                        Step::Checked(name) => format!("`{name}` expanded and checked"),
-                        Step::Judged => "expectations decided".to_owned(),
-                    });
-                },
-            )
-        } else {
-            Compilation {
-                diagnostics,
-                ..Compilation::default()
-            }
-        };
+        let options = options(arguments, &parsed.documents, file)?;
+        let compilation = parsed.compile(&options, &mut |step| {
+            stopwatch.lap(match step {
+                Step::Lowered => "names and types resolved".to_owned(),
+                Step::Checked(name) => format!("`{name}` expanded and checked"),
+                Step::Judged => "expectations decided".to_owned(),
+            });
+        });
         Ok(Self {
-            sources,
+            readable: parsed.is_readable(),
+            sources: parsed.sources,
+            paths: parsed.paths,
             compilation,
             options,
-            paths,
-            readable,
             stopwatch,
         })
     }
+}
+
+/// What every command is asked of a file.
+///
+/// # Errors
+///
+/// A `-D` or `--surface` that does not fit the file.
+pub(super) fn options(
+    arguments: &Arguments,
+    documents: &[Document],
+    file: &Path,
+) -> Result<Options, Misuse> {
+    Ok(Options {
+        overrides: overrides(arguments, documents, file)?,
+        surface: arguments.surface.clone(),
+        limits: arguments.limits(),
+        ..Options::default()
+    })
 }
 
 /// The names and values of `-D NAME=VALUE`.
@@ -145,20 +133,37 @@ fn overrides(
     Ok(assignments.into_iter().collect())
 }
 
-fn check_parameter(name: &str, documents: &[Document], file: &Path) -> Result<(), Misuse> {
-    let parameters = names(documents, |own| match own {
+/// Whether a file declares this parameter.
+///
+/// # Errors
+///
+/// One that it does not declare.
+pub(super) fn check_parameter(
+    name: &str,
+    documents: &[Document],
+    file: &Path,
+) -> Result<(), Misuse> {
+    check_name(name, &parameters(documents), "parameter", file)
+}
+
+/// The parameters of a file and its imports.
+pub(super) fn parameters(documents: &[Document]) -> Vec<&str> {
+    names(documents, |own| match own {
         Declaration::Param { name, .. } => Some(name.text.as_str()),
         _ => None,
-    });
-    check_name(name, &parameters, "parameter", file)
+    })
+}
+
+/// The surfaces of a file.
+pub(super) fn surfaces(documents: &[Document]) -> Vec<&str> {
+    names(documents.get(..1).unwrap_or_default(), |own| match own {
+        Declaration::Surface { name, .. } => Some(name.text.as_str()),
+        _ => None,
+    })
 }
 
 fn check_surface(name: &str, documents: &[Document], file: &Path) -> Result<(), Misuse> {
-    let surfaces = names(&documents[..1], |own| match own {
-        Declaration::Surface { name, .. } => Some(name.text.as_str()),
-        _ => None,
-    });
-    check_name(&canonical_name(name), &surfaces, "surface", file)
+    check_name(&canonical_name(name), &surfaces(documents), "surface", file)
 }
 
 fn check_name(name: &str, known: &[&str], kind: &str, file: &Path) -> Result<(), Misuse> {
@@ -170,13 +175,15 @@ fn check_name(name: &str, known: &[&str], kind: &str, file: &Path) -> Result<(),
     } else {
         format!("there are: {}", known.join(", "))
     };
+    let meant = nearest(name, known.iter());
+    let meant = meant.map_or(String::new(), |own| format!("; did you mean `{own}`?"));
     Err(Misuse(format!(
-        "`{name}` is not a {kind} of `{}`; {list}",
+        "`{name}` is not a {kind} of `{}`; {list}{meant}",
         file.display()
     )))
 }
 
-fn names<'a>(
+pub(super) fn names<'a>(
     documents: &'a [Document],
     pick: impl Fn(&'a Declaration) -> Option<&'a str>,
 ) -> Vec<&'a str> {

@@ -44,18 +44,23 @@ impl Status {
             .max()
             .unwrap_or(Self::Success)
     }
+
+    /// The exit status that stands for it.
+    pub(super) fn number(self) -> u8 {
+        match self {
+            Self::Success => 0,
+            Self::Errors => 1,
+            Self::Usage => 2,
+            Self::File => 3,
+            Self::Limit => 4,
+            Self::Internal => 70,
+            Self::Interrupted => INTERRUPTED,
+        }
+    }
 }
 
 impl From<Status> for ExitCode {
     fn from(status: Status) -> Self {
-        Self::from(match status {
-            Status::Success => 0,
-            Status::Errors => 1,
-            Status::Usage => 2,
-            Status::File => 3,
-            Status::Limit => 4,
-            Status::Internal => 70,
-            Status::Interrupted => INTERRUPTED,
-        })
+        Self::from(status.number())
     }
 }

@@ -72,6 +72,7 @@ codes! {
     E0109 "a parameter that is not in scope",
     E0110 "not in this version",
     E0111 "an unknown component or property",
+    E0112 "a parameter that the file does not declare",
     // curves and properties
     E0201 "not a Pythagorean hodograph",
     E0202 "the parametric speed is not rational: a factor of the hodograph changes sign",
@@ -104,11 +105,13 @@ codes! {
     E0507 "a coefficient that is too large",
     E0508 "a run that takes too much time or memory",
     E0509 "a field of too large a degree",
+    E0510 "too many variants",
     // files
     E0601 "a file that cannot be read",
     E0602 "a file that cannot be written",
     E0603 "an import outside the project folder",
     E0604 "files that import each other",
+    E0605 "a malformed list of variants",
     // warnings
     W1001 "a quotient followed by a juxtaposed factor",
     W1002 "a construction of the standard library is replaced",

@@ -19,6 +19,8 @@ pub struct Limits {
     pub field_degree: usize,
     /// Imported files (`--max-imports`).
     pub imports: usize,
+    /// Variants of a run (`--max-variants`).
+    pub variants: usize,
     /// Syntax errors reported for one file.
     pub syntax_errors: usize,
 }
@@ -35,6 +37,7 @@ impl Default for Limits {
             bits: 1_000_000,
             field_degree: 64,
             imports: 256,
+            variants: 100_000,
             syntax_errors: 50,
         }
     }

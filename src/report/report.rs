@@ -65,9 +65,11 @@ impl Report {
 
 /// A generator of the field: the positive root of its square.
 #[derive(Debug, Clone, Serialize)]
-pub(super) struct Generator {
-    pub(super) name: String,
-    pub(super) square: String,
+pub struct Generator {
+    /// Its name.
+    pub name: String,
+    /// The number that it is the root of.
+    pub square: String,
 }
 
 /// The generators of the numbers that the report of a surface spells.
@@ -201,9 +203,20 @@ pub(super) struct PlaceReport {
 /// True, false, or `"undecided"`.
 #[derive(Debug, Clone, Copy, Serialize)]
 #[serde(untagged)]
-pub(super) enum Decision {
+pub enum Decision {
+    /// True or false.
     Decided(bool),
+    /// The word for it.
     Undecided(&'static str),
+}
+
+impl std::fmt::Display for Decision {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Decided(own) => own.fmt(formatter),
+            Self::Undecided(word) => formatter.write_str(word),
+        }
+    }
 }
 
 impl Decision {

@@ -28,3 +28,4 @@ pub use expectation::QUERIES;
 pub use lowerer::{RESERVED, Sources, lower};
 pub use names::Names;
 pub use program::Program;
+pub use spelling::nearest;

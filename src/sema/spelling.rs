@@ -72,10 +72,7 @@ const LONGEST: usize = 64;
 /// something of it remains.
 ///
 /// A single letter is like any other; that is no help.
-pub(super) fn nearest<T: AsRef<str> + Ord>(
-    word: &str,
-    known: impl Iterator<Item = T>,
-) -> Option<T> {
+pub fn nearest<T: AsRef<str> + Ord>(word: &str, known: impl Iterator<Item = T>) -> Option<T> {
     let limit = match word.chars().count() {
         length @ 2..=LONGEST => length.div_ceil(3),
         _ => return None,

@@ -1,0 +1,158 @@
+use std::collections::HashMap;
+use std::fs::File;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+use csv::{ByteRecord, ReaderBuilder, Trim};
+
+use crate::diag::{Code, Diagnostic, Diagnostics, FileId, Limits, SourceMap, Span};
+use crate::number::Rational;
+use crate::sema::nearest;
+use crate::syntax::{canonical_name, decode};
+
+/// Values of parameters, a variant a line.
+#[derive(Debug, Default)]
+pub(super) struct List {
+    pub(super) path: PathBuf,
+    pub(super) sources: SourceMap,
+    pub(super) names: Vec<String>,
+    /// The first line.
+    header: Span,
+    pub(super) rows: Vec<Vec<Rational>>,
+}
+
+impl List {
+    /// Reads a CSV file.
+    ///
+    /// # Errors
+    ///
+    /// Its findings: what cannot be read, what is no table of exact numbers (E0605).
+    pub(super) fn read(path: &Path, limits: &Limits) -> Result<Self, (Diagnostics, SourceMap)> {
+        let mut list = Self {
+            path: path.to_path_buf(),
+            ..Self::default()
+        };
+        let mut findings = Diagnostics::default();
+        let name = path.display().to_string();
+        let bytes = File::open(path).and_then(|file| {
+            let mut bytes = Vec::new();
+            file.take(limits.source as u64 + 1)
+                .read_to_end(&mut bytes)?;
+            Ok(bytes)
+        });
+        match bytes.map(|bytes| decode(&bytes, &name, limits)) {
+            Ok(Ok(text)) => {
+                let file = list.sources.add(name, text.as_str());
+                list.parse(&text, file, limits, &mut findings);
+            }
+            Ok(Err(finding)) => findings.push(*finding),
+            Err(error) => {
+                let message = format!("`{name}` cannot be read: {error}");
+                findings.push(Diagnostic::global(Code::E0601, message));
+            }
+        }
+        if findings.has_errors() {
+            return Err((findings, list.sources));
+        }
+        Ok(list)
+    }
+
+    fn parse(&mut self, text: &str, file: FileId, limits: &Limits, findings: &mut Diagnostics) {
+        let text = text
+            .strip_prefix('\u{feff}')
+            .map_or((0, text), |rest| (3, rest));
+        let (shift, text) = text;
+        let mut reader = ReaderBuilder::new()
+            .has_headers(false)
+            .flexible(true)
+            .trim(Trim::All)
+            .from_reader(text.as_bytes());
+        let mut record = ByteRecord::new();
+        let mut seen: HashMap<Vec<Rational>, usize> = HashMap::new();
+        loop {
+            let start = usize::try_from(reader.position().byte()).unwrap_or(usize::MAX);
+            if !reader.read_byte_record(&mut record).unwrap_or_default() {
+                break;
+            }
+            let start = record.position().map_or(start, |own| {
+                usize::try_from(own.byte()).unwrap_or(usize::MAX)
+            });
+            let end = usize::try_from(reader.position().byte()).unwrap_or(usize::MAX);
+            let line = text.get(start..end).unwrap_or_default();
+            let start = start + line.len() - line.trim_start().len();
+            let span = Span::new(file, shift + start, shift + start + line.trim().len());
+            let fields = record.iter().map(String::from_utf8_lossy);
+            let fields: Vec<String> = fields.map(std::borrow::Cow::into_owned).collect();
+            if self.names.is_empty() {
+                self.take_header(&fields, span, findings);
+                continue;
+            }
+            match self.row(&fields, limits) {
+                Ok(row) => {
+                    let variant = self.rows.len() + 1;
+                    if let Some(first) = seen.insert(row.clone(), variant) {
+                        let message =
+                            format!("variant {variant} has the values of variant {first}");
+                        findings.push(Diagnostic::new(Code::E0605, span, message));
+                    }
+                    self.rows.push(row);
+                }
+                Err((code, message)) => findings.push(Diagnostic::new(code, span, message)),
+            }
+            if findings.len() >= limits.syntax_errors {
+                return;
+            }
+        }
+        if !findings.has_errors() && self.rows.is_empty() {
+            let message = format!("`{}` lists no variant", self.path.display());
+            let finding = Diagnostic::global(Code::E0605, message);
+            findings.push(finding.help("write names in the first line, then a variant a line"));
+        }
+    }
+
+    fn take_header(&mut self, fields: &[String], span: Span, findings: &mut Diagnostics) {
+        self.header = span;
+        self.names = fields.iter().map(|own| canonical_name(own)).collect();
+        for (index, name) in self.names.iter().enumerate() {
+            if self.names[..index].contains(name) {
+                let message = format!("`{name}` has two columns");
+                findings.push(Diagnostic::new(Code::E0605, span, message));
+            }
+        }
+    }
+
+    fn row(&self, fields: &[String], limits: &Limits) -> Result<Vec<Rational>, (Code, String)> {
+        if fields.len() != self.names.len() {
+            let (found, wanted) = (fields.len(), self.names.len());
+            let message = format!("this line has {found} values, the first line {wanted} names");
+            return Err((Code::E0605, message));
+        }
+        let number = |own: &String| {
+            if own.len() > limits.digits {
+                let message = format!("a number of more than {} digits", limits.digits);
+                return Err((Code::E0503, message + "; `--max-digits` raises the limit"));
+            }
+            let message = || format!("`{own}` is not an exact number such as 3/2 or 0.25");
+            own.parse().map_err(|()| (Code::E0605, message()))
+        };
+        fields.iter().map(number).collect()
+    }
+
+    /// The names that are no parameters of a file (E0112).
+    pub(super) fn unknown(&self, parameters: &[&str], file: &Path) -> Diagnostics {
+        let mut findings = Diagnostics::default();
+        let known = |own: &&String| !parameters.contains(&own.as_str());
+        for name in self.names.iter().filter(known) {
+            let message = format!("`{name}` is not a parameter of `{}`", file.display());
+            let mut finding = Diagnostic::new(Code::E0112, self.header, message);
+            if !parameters.is_empty() {
+                finding = finding.note(format!("there are: {}", parameters.join(", ")));
+            }
+            findings.push(match nearest(name, parameters.iter()) {
+                Some(meant) => finding.help(format!("did you mean `{meant}`?")),
+                None => finding.help(format!("declare it: `param {name} = …`")),
+            });
+        }
+        findings
+    }
+}

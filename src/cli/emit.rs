@@ -1,0 +1,131 @@
+use std::ffi::{OsStr, OsString};
+
+use crate::diag::{Code, Diagnostic, Diagnostics, SourceMap};
+use crate::export::{ALL, Exporter};
+use crate::pipeline::{Compilation, Options};
+use crate::report::{Report, render_json};
+
+use super::output::named;
+use super::session::Misuse;
+
+/// What `--emit` asks for.
+#[derive(Debug, Default)]
+pub(super) struct Emit {
+    pub(super) report: bool,
+    /// The table of all variants.
+    pub(super) table: bool,
+    pub(super) formats: Vec<&'static Exporter>,
+}
+
+/// A file that is ready to be written.
+#[derive(Debug)]
+pub(super) struct Product {
+    pub(super) name: OsString,
+    pub(super) bytes: Vec<u8>,
+    /// The surface that it holds, if it is the file of one.
+    pub(super) surface: Option<String>,
+}
+
+impl Emit {
+    /// Reads the words of the command line.
+    ///
+    /// # Errors
+    ///
+    /// A word that is no format, or none at all.
+    pub(super) fn of(words: &[String]) -> Result<Self, Misuse> {
+        let mut emit = Self::default();
+        let words = words.iter().map(|own| own.trim());
+        for word in words.filter(|own| !own.is_empty()) {
+            match ALL.iter().find(|format| format.name == word) {
+                Some(format) if emit.formats.iter().all(|own| own.name != word) => {
+                    emit.formats.push(format);
+                }
+                Some(_) => {}
+                None if word == "report" => emit.report = true,
+                None if word == "table" => emit.table = true,
+                None => {
+                    let names: Vec<&str> = ALL.iter().map(|format| format.name).collect();
+                    return Err(Misuse(format!(
+                        "`{word}` is no output format; there are: report, table, {}",
+                        names.join(", ")
+                    )));
+                }
+            }
+        }
+        if !emit.report && !emit.table && emit.formats.is_empty() {
+            return Err(Misuse("`--emit` names no output format".to_owned()));
+        }
+        Ok(emit)
+    }
+
+    /// The files of a compilation; what is refused or warned of comes beside them.
+    pub(super) fn products(
+        &self,
+        compilation: &Compilation,
+        sources: &SourceMap,
+        file: &str,
+        stem: &OsStr,
+        options: &Options,
+    ) -> (Vec<Product>, Diagnostics) {
+        let report = self.report.then(|| compilation.report(file, sources));
+        self.products_with(report.as_ref(), compilation, stem, options)
+    }
+
+    /// As [`Emit::products`], with a report that is made already.
+    pub(super) fn products_with(
+        &self,
+        report: Option<&Report>,
+        compilation: &Compilation,
+        stem: &OsStr,
+        options: &Options,
+    ) -> (Vec<Product>, Diagnostics) {
+        let shown = stem.to_string_lossy();
+        let mut files = Vec::new();
+        let mut findings = Diagnostics::default();
+        let product = |ending: &str, bytes, surface| Product {
+            name: named(stem, ending),
+            bytes,
+            surface,
+        };
+        if let Some(report) = report.filter(|_| self.report) {
+            match render_json(report) {
+                Ok(text) => files.push(product(".report.json", text.into_bytes(), None)),
+                Err(error) => findings.push(Diagnostic::global(Code::E0602, error.to_string())),
+            }
+        }
+        for surface in compilation.sound_surfaces() {
+            let span = surface.definition().span;
+            let exports = compilation.export(surface, &self.formats, &shown, options);
+            for (format, result) in exports {
+                match result {
+                    Ok(exported) => {
+                        findings.extend(exported.warnings.into_iter().map(|own| own.at(span)));
+                        let ending = format!("-{}.{}", surface.name(), format.extension);
+                        let name = surface.name().to_owned();
+                        files.push(product(&ending, exported.bytes, Some(name)));
+                    }
+                    Err(finding) => findings.push(*finding),
+                }
+            }
+        }
+        let together = compilation.export_together(&self.formats, &shown, options);
+        for (format, result) in together {
+            match result {
+                // What is odd about a surface is told with its own file.
+                Ok(exported) => {
+                    let ending = format!(".{}", format.extension);
+                    files.push(product(&ending, exported.bytes, None));
+                }
+                Err(finding) => findings.push(*finding),
+            }
+        }
+        (files, findings)
+    }
+}
+
+/// Errors of single surfaces spoil only their own files; any other error spoils all.
+pub(super) fn keeps_files(diagnostics: &Diagnostics) -> bool {
+    diagnostics
+        .errors()
+        .all(|own| own.code.as_str().starts_with("E03") && own.code != Code::E0303)
+}
