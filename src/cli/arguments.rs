@@ -50,7 +50,7 @@ pub(super) enum Command {
     /// Print the degree report of every surface of a file
     Report(ReportArguments),
     /// Write the report, the exact net and CAD files of every surface of files or of their variants
-    Compile(CompileArguments),
+    Compile(Box<CompileArguments>),
     /// Explain diagnostics by their codes; without one, list all
     Explain(ExplainArguments),
     /// Write files in their canonical layout

@@ -162,6 +162,14 @@ pub(super) fn surfaces(documents: &[Document]) -> Vec<&str> {
     })
 }
 
+/// The curves of a file.
+pub(super) fn curves(documents: &[Document]) -> Vec<&str> {
+    names(documents.get(..1).unwrap_or_default(), |own| match own {
+        Declaration::Curve { name, .. } => Some(name.text.as_str()),
+        _ => None,
+    })
+}
+
 fn check_surface(name: &str, documents: &[Document], file: &Path) -> Result<(), Misuse> {
     check_name(&canonical_name(name), &surfaces(documents), "surface", file)
 }
@@ -183,7 +191,7 @@ fn check_name(name: &str, known: &[&str], kind: &str, file: &Path) -> Result<(),
     )))
 }
 
-pub(super) fn names<'a>(
+fn names<'a>(
     documents: &'a [Document],
     pick: impl Fn(&'a Declaration) -> Option<&'a str>,
 ) -> Vec<&'a str> {

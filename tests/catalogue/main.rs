@@ -111,7 +111,6 @@ const HELD_BY_FUNCTIONS: &[(u32, &str)] = &[
 /// Rows that do not apply, each with the reason.
 const NOT_YET: &[(u32, &str)] = &[
     (47, "not in the catalogue"),
-    (49, "there are no parameter sweeps over several values"),
     (56, "no command watches its files"),
     (66, "not in the catalogue"),
     (

@@ -329,6 +329,22 @@ pub(crate) const ROWS: &[Row] = &[
         &["W1008", "W1009"],
         &["(0, 0) and (1, 0) differ by about 1e-30"],
     ),
+    // more variants than anybody can compile
+    run(
+        49,
+        "param a = 1\nparam b = 1\nsurface R = (a u, b v, 0)",
+        &[
+            "compile",
+            "x.sweep",
+            "--grid",
+            "a=1:1e5:1",
+            "--grid",
+            "b=1:1e4:1",
+        ],
+        4,
+        &["E0510"],
+        &["1000000000 variants", "`--max-variants`"],
+    ),
     // time and memory
     run(
         65,

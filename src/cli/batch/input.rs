@@ -6,10 +6,9 @@ use crate::cli::compile::{complete, folder};
 use crate::cli::emit::Emit;
 use crate::cli::output::{file_name, stem};
 use crate::cli::parsed::Parsed;
-use crate::cli::session::{Misuse, check_parameter, names, options, parameters, surfaces};
+use crate::cli::session::{Misuse, check_parameter, curves, options, parameters, surfaces};
 use crate::diag::{Diagnostics, Limits};
 use crate::pipeline::Options;
-use crate::syntax::ast::Declaration;
 
 use super::output::canonical;
 use super::variants::Variants;
@@ -66,10 +65,6 @@ impl Input {
             }
         }
         let owned = |own: Vec<&str>| own.into_iter().map(str::to_owned).collect();
-        let curve = |own| match own {
-            &Declaration::Curve { ref name, .. } => Some(name.text.as_str()),
-            _ => None,
-        };
         let is_varied = is_sound && !variants.names.is_empty();
         let count = if is_varied { variants.count() } else { 1 };
         Ok(Self {
@@ -82,7 +77,7 @@ impl Input {
             count,
             is_varied,
             paths: parsed.paths.iter().flatten().cloned().collect(),
-            curves: owned(names(documents.get(..1).unwrap_or_default(), curve)),
+            curves: owned(curves(documents)),
             surfaces: owned(surfaces(documents)),
             kept: (count > 1 || own.files.len() == 1 || file == Path::new("-")).then_some(parsed),
         })
