@@ -7,6 +7,9 @@
     reason = "tests state facts"
 )]
 
+#[cfg(unix)]
+mod broken_off;
+#[path = "../example_files/mod.rs"]
 mod example_files;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -290,10 +293,7 @@ fn many_files() {
         "json",
     ];
     let (_, err) = compile(folder.path(), &arguments, 3);
-    assert!(
-        err.contains("c.sweep:1") && err.contains("`no.sweep`"),
-        "{err}"
-    );
+    assert!(err.contains("c.sweep:1"), "{err}");
     let out = folder.path().join("out");
     let written = [
         "a-R.json",
@@ -329,13 +329,15 @@ fn many_files() {
         row(4, "no.sweep", None, 3),
     ];
     assert_eq!(told.collect::<Vec<_>>(), expected);
-    for (row, object) in rows(&out.join("batch.csv")).iter().zip(&objects) {
-        let mut row = row.clone();
-        // Only the first file has a length.
-        row.retain(|column, cell| !column.starts_with("lengths") || !cell.is_empty());
-        if object["surface"].is_null() {
-            row.retain(|_, cell| !cell.is_empty());
-        }
+    has_the_cells_of(&out.join("batch.csv"), &objects);
+}
+
+/// Where a cell is not empty, it says what the object says.
+fn has_the_cells_of(table: &Path, objects: &[Value]) {
+    let rows = rows(table);
+    assert_eq!(rows.len(), objects.len());
+    for (mut row, object) in rows.into_iter().zip(objects) {
+        row.retain(|_, cell| !cell.is_empty());
         agrees(&row, object);
     }
 }
