@@ -1,4 +1,5 @@
-use std::cell::OnceCell;
+use std::cell::{OnceCell, RefCell};
+use std::rc::Rc;
 
 use crate::number::{Field, Real, Tower};
 use crate::poly::{Antiderivative, RealRoot, UniPoly, integrate, real_roots};
@@ -26,7 +27,12 @@ pub struct Curve {
     interpolant: Option<Interpolant>,
     speed: OnceCell<Result<UniPoly<Real>, Fault>>,
     arc_length: OnceCell<Result<ArcLength, Fault>>,
+    /// What has been asked for already.
+    properties: RefCell<Vec<(Property, Known)>>,
 }
+
+/// A property that was found, or why there is none.
+type Known = Result<Rc<PropertyFunction>, Fault>;
 
 /// s as a fraction.
 #[derive(Debug, Clone)]
@@ -59,6 +65,7 @@ impl Curve {
             interpolant: None,
             speed: OnceCell::new(),
             arc_length: OnceCell::new(),
+            properties: RefCell::default(),
         }
     }
 
@@ -171,7 +178,18 @@ impl Curve {
     /// # Errors
     ///
     /// The [`Fault`] that says why the curve does not have the property.
-    pub fn property(&self, property: Property) -> Result<PropertyFunction, Fault> {
+    pub fn property(&self, property: Property) -> Result<Rc<PropertyFunction>, Fault> {
+        let known = self.properties.borrow();
+        if let Some((_, known)) = known.iter().find(|(own, _)| *own == property) {
+            return known.clone();
+        }
+        drop(known);
+        let found = self.find(property).map(Rc::new);
+        self.properties.borrow_mut().push((property, found.clone()));
+        found
+    }
+
+    fn find(&self, property: Property) -> Result<PropertyFunction, Fault> {
         let (speed, weight) = self.counted_degrees();
         let numerators = &self.hodograph.numerators;
         let (numerator, denominator, bound) = match property {

@@ -251,7 +251,10 @@ impl FromStr for Integer {
     type Err = ();
 
     fn from_str(text: &str) -> Result<Self, ()> {
-        BigInt::from_str(text).map(Self::of_long).map_err(|_| ())
+        match i128::from_str(text) {
+            Ok(machine) if machine != i128::MIN => Ok(Self::of_machine(machine)),
+            _ => BigInt::from_str(text).map(Self::of_long).map_err(|_| ()),
+        }
     }
 }
 

@@ -101,6 +101,9 @@ impl Rational {
             return None;
         }
         let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+        if fraction.is_empty() && exponent == 0 {
+            return Integer::from_str(whole).ok().map(Self::from);
+        }
         let digits = Integer::from_str(&format!("{whole}{fraction}")).ok()?;
         let shift = exponent - i64::try_from(fraction.len()).ok()?;
         let size = u32::try_from(shift.unsigned_abs()).ok()?;

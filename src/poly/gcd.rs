@@ -56,6 +56,12 @@ pub fn gcd_all<'a, F: Field>(polynomials: impl IntoIterator<Item = &'a UniPoly<F
 /// The least common multiple, primitive; 0 if one of them is 0.
 #[must_use]
 pub fn lcm<F: Field>(left: &UniPoly<F>, right: &UniPoly<F>) -> UniPoly<F> {
+    if right.is_constant() && !right.is_zero() {
+        return left.primitive();
+    }
+    if left == right || (left.is_constant() && !left.is_zero()) {
+        return right.primitive();
+    }
     let common = gcd(left, right);
     left.exact_div(&common)
         .map_or_else(UniPoly::zero, |quotient| (&quotient * right).primitive())

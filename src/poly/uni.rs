@@ -167,7 +167,7 @@ impl<F: Field> UniPoly<F> {
     /// c p(x)
     #[must_use]
     pub fn scale(&self, factor: &F) -> Self {
-        if *factor == F::one() {
+        if factor.is_one() {
             return self.clone();
         }
         let (numerator, denominator) = factor.parts();

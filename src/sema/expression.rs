@@ -15,8 +15,7 @@ impl<'a> Lowerer<'a> {
     /// The value of an expression where it stands.
     pub(super) fn value(&mut self, expr: &'a Expr, scope: &Scope<'a>) -> Lowered<Value> {
         let value = self.descend(scope, expr.span, |own| own.value_of_kind(expr, scope))?;
-        let depth = value.components().iter().map(Scalar::depth).max();
-        if depth.unwrap_or(0) <= DEEPEST {
+        if value.depth() <= DEEPEST {
             return Ok(value);
         }
         let message = format!("definitions nest this expression more than {DEEPEST} levels deep");

@@ -49,23 +49,50 @@ impl Value {
         }
     }
 
+    /// How many expressions are nested in its components at most.
+    pub(super) fn depth(&self) -> usize {
+        let deepest = |own: &[Scalar]| own.iter().map(Scalar::depth).max().unwrap_or(0);
+        match self {
+            Self::Scalar(own) => own.depth(),
+            Self::Pair(own) => deepest(own),
+            Self::Vector(own) => deepest(own),
+            Self::Matrix(columns) => columns.iter().map(|own| deepest(own)).max().unwrap_or(0),
+        }
+    }
+
     /// a + b + … of one type; none if the types differ.
     pub(super) fn sum(span: Span, terms: &[Self]) -> Option<Self> {
-        let add = |index: usize| {
-            let parts = terms.iter().map(|term| term.components()[index].clone());
-            Scalar::sum(span, parts.collect())
-        };
+        fn add<'a, const N: usize>(
+            span: Span,
+            terms: &'a [Value],
+            of: impl Fn(&'a Value) -> Option<[&'a Scalar; N]>,
+        ) -> Option<[Scalar; N]> {
+            let rows: Option<Vec<[&Scalar; N]>> = terms.iter().map(of).collect();
+            let rows = rows?;
+            Some(std::array::from_fn(|index| {
+                let parts = rows.iter().map(|row| row[index].clone());
+                Scalar::sum(span, parts.collect())
+            }))
+        }
         match terms.first()? {
-            Self::Scalar(_) if terms.iter().all(|own| matches!(own, Self::Scalar(_))) => {
-                Some(Self::Scalar(add(0)))
+            Self::Scalar(_) => {
+                let sum = add(span, terms, |own| match own {
+                    Self::Scalar(own) => Some([own]),
+                    _ => None,
+                });
+                sum.map(|[own]| Self::Scalar(own))
             }
-            Self::Pair(_) if terms.iter().all(|own| matches!(own, Self::Pair(_))) => {
-                Some(Self::Pair([add(0), add(1)]))
-            }
-            Self::Vector(_) if terms.iter().all(|own| matches!(own, Self::Vector(_))) => {
-                Some(Self::Vector([add(0), add(1), add(2)]))
-            }
-            _ => None,
+            Self::Pair(_) => add(span, terms, |own| match own {
+                Self::Pair(own) => Some(own.each_ref()),
+                _ => None,
+            })
+            .map(Self::Pair),
+            Self::Vector(_) => add(span, terms, |own| match own {
+                Self::Vector(own) => Some(own.each_ref()),
+                _ => None,
+            })
+            .map(Self::Vector),
+            Self::Matrix(_) => None,
         }
     }
 }

@@ -184,7 +184,7 @@ impl<'a> Expander<'a> {
             .property(of.property)
             .map_err(|fault| curve_finding(&fault, of, expression))?;
         for _ in 0..of.derivative {
-            function = function.derivative();
+            function = Rc::new(function.derivative());
         }
         let quotient = Quotient::new(&function.numerator, &function.denominator)
             .ok_or_else(|| division_by_zero(expression))?;

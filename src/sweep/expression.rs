@@ -71,19 +71,26 @@ pub enum Form {
 }
 
 impl Form {
-    /// The expressions that it is made of.
-    fn parts(&self) -> Vec<&Scalar> {
+    /// Calls a function for every expression that it is made of.
+    fn visit<'a>(&'a self, visit: &mut dyn FnMut(&'a Scalar)) {
         match self {
-            Self::Constant(_) | Self::Parameter(_) => Vec::new(),
-            Self::Sum(parts) | Self::Product(parts) => parts.iter().collect(),
+            Self::Constant(_) | Self::Parameter(_) => {}
+            Self::Sum(parts) | Self::Product(parts) => parts.iter().for_each(visit),
             Self::Power(own, _)
             | Self::Property(_, own)
             | Self::Partial(_, own)
             | Self::SquareRoot(own)
-            | Self::OnDomain(own, _) => vec![own],
-            Self::Substitution { body, u, v } => vec![body, u, v],
-            Self::Normal(surface, _) => surface.iter().collect(),
+            | Self::OnDomain(own, _) => visit(own),
+            Self::Substitution { body, u, v } => [body, u, v].into_iter().for_each(visit),
+            Self::Normal(surface, _) => surface.iter().for_each(visit),
         }
+    }
+
+    /// The expressions that it is made of.
+    fn parts(&self) -> Vec<&Scalar> {
+        let mut parts = Vec::new();
+        self.visit(&mut |own| parts.push(own));
+        parts
     }
 
     /// Whether two forms differ at most in their parts.
@@ -102,12 +109,12 @@ impl Form {
 
     fn facts(&self) -> Facts {
         let mut facts = Facts::default();
-        for part in self.parts() {
+        self.visit(&mut |part| {
             let own = part.0.facts;
             facts.depth = facts.depth.max(own.depth + 1);
             facts.rooted |= own.rooted;
             facts.depends = [0, 1].map(|index| facts.depends[index] || own.depends[index]);
-        }
+        });
         match self {
             Self::Parameter(Parameter::U) => facts.depends[0] = true,
             Self::Parameter(Parameter::V) => facts.depends[1] = true,
@@ -289,15 +296,15 @@ impl Scalar {
     }
 
     fn walk(&self, seen: &mut HashSet<usize>, visit: &mut dyn FnMut(&Rc<Curve>, &Self)) {
-        if !seen.insert(self.identity()) {
+        if matches!(self.form(), Form::Constant(_) | Form::Parameter(_))
+            || (self.is_shared() && !seen.insert(self.identity()))
+        {
             return;
         }
         if let Form::Property(property, argument) = self.form() {
             visit(&property.curve, argument);
         }
-        for part in self.form().parts() {
-            part.walk(seen, visit);
-        }
+        self.form().visit(&mut |part| part.walk(seen, visit));
     }
 
     /// The expression with u and v replaced: at once where nothing is differentiated, else as a
@@ -349,20 +356,32 @@ fn fold(
     neutral: &Real,
     join: impl Fn(&Real, &Real) -> Real,
 ) -> Vec<Scalar> {
-    let numbers = parts.iter().filter_map(Scalar::as_number);
-    let value = numbers.fold(neutral.clone(), |value, own| join(&value, own));
-    let rest: Vec<Scalar> = parts
-        .iter()
-        .filter(|own| own.as_number().is_none())
-        .cloned()
-        .collect();
-    if rest.is_empty() {
-        return vec![Scalar::constant(span, value)];
+    let count = parts.iter().filter(|own| own.as_number().is_some()).count();
+    if count == 0 || (count == 1 && parts.len() == 1) {
+        return if parts.is_empty() {
+            vec![Scalar::constant(span, neutral.clone())]
+        } else {
+            parts
+        };
     }
-    if value == *neutral {
-        return rest;
+    let mut value: Option<Real> = None;
+    let mut rest = Vec::with_capacity(parts.len());
+    for part in parts {
+        match part.as_number() {
+            None => rest.push(part),
+            Some(own) => {
+                value = Some(match value {
+                    Some(known) => join(&known, own),
+                    None => own.clone(),
+                });
+            }
+        }
     }
-    std::iter::once(Scalar::constant(span, value))
-        .chain(rest)
-        .collect()
+    match value {
+        Some(value) if rest.is_empty() || value != *neutral => {
+            rest.insert(0, Scalar::constant(span, value));
+            rest
+        }
+        _ => rest,
+    }
 }
