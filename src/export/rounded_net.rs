@@ -1,5 +1,3 @@
-use std::collections::HashMap;
-
 use crate::diag::Code;
 use crate::net::ControlNet;
 use crate::number::{Field, Rational, Real};
@@ -128,22 +126,18 @@ impl RoundedNet {
 
     /// Says that different control points have the same doubles.
     fn merged_points(&self, net: &ControlNet) -> Option<ExportFault> {
-        let mut seen: HashMap<[Double; 3], (usize, usize)> = HashMap::new();
         let mut count = 0_usize;
         let mut first = None;
-        for i in 0..net.rows() {
-            for j in 0..net.columns() {
-                let earlier = *seen.entry(self.points[i][j]).or_insert((i, j));
-                if net.coincide(earlier, (i, j)) {
-                    continue;
-                }
-                let (one, other) = (net.point(earlier.0, earlier.1), net.point(i, j));
-                let apart = [0, 1, 2].map(|axis| one[axis].minus(&other[axis]).absolute());
-                let apart = apart.into_iter().max().filter(|own| !own.is_zero());
-                if let Some(apart) = apart {
-                    count += 1;
-                    first.get_or_insert((earlier, (i, j), apart));
-                }
+        for (earlier, later) in self.equal_points() {
+            if net.coincide(earlier, later) {
+                continue;
+            }
+            let (one, other) = (net.point(earlier.0, earlier.1), net.point(later.0, later.1));
+            let apart = [0, 1, 2].map(|axis| one[axis].minus(&other[axis]).absolute());
+            let apart = apart.into_iter().max().filter(|own| !own.is_zero());
+            if let Some(apart) = apart {
+                count += 1;
+                first.get_or_insert((earlier, later, apart));
             }
         }
         let (one, other, apart) = first?;
@@ -159,5 +153,19 @@ impl RoundedNet {
         let help =
             "move the surface nearer to the origin, or read the exact numbers of the `json` file";
         Some(ExportFault::new(Code::W1008, message, help))
+    }
+
+    /// The places of equal points, each with the first one of its kind, in the order of the later.
+    fn equal_points(&self) -> Vec<((usize, usize), (usize, usize))> {
+        let columns = self.points.first().map_or(0, Vec::len);
+        let places = (0..self.points.len()).flat_map(|i| (0..columns).map(move |j| (i, j)));
+        let mut order: Vec<_> = places.collect();
+        let bits = |&(i, j): &(usize, usize)| self.points[i][j].map(|own| own.value().to_bits());
+        order.sort_by_key(bits);
+        let kinds = order.chunk_by(|left, right| bits(left) == bits(right));
+        let pairs = kinds.flat_map(|kind| kind[1..].iter().map(|later| (kind[0], *later)));
+        let mut pairs: Vec<_> = pairs.collect();
+        pairs.sort_by_key(|(_, later)| *later);
+        pairs
     }
 }

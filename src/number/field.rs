@@ -27,6 +27,8 @@ pub trait Ring: Clone + PartialEq + Eq + Debug + Send + Sync + 'static {
     /// a b
     #[must_use]
     fn times(&self, other: &Self) -> Self;
+    /// a += b
+    fn add(&mut self, other: &Self);
     /// a += b c
     fn add_product(&mut self, left: &Self, right: &Self);
     /// −a

@@ -22,24 +22,30 @@ pub(super) enum Form {
 }
 
 impl Integer {
+    #[inline]
     pub(super) fn form(&self) -> &Form {
         &self.0
     }
 
     /// A number known to be no −2¹²⁷.
+    #[inline]
     pub(super) fn of_machine(value: i128) -> Self {
         Self(Form::Machine(value))
     }
 
     pub(super) fn of_long(value: BigInt) -> Self {
+        if value.bits() > 127 {
+            return Self(Form::Long(value));
+        }
         match i128::try_from(&value) {
-            Ok(machine) if machine != i128::MIN => Self(Form::Machine(machine)),
+            Ok(machine) => Self(Form::Machine(machine)),
             _ => Self(Form::Long(value)),
         }
     }
 
     /// The number as a machine number, if it is one.
     #[must_use]
+    #[inline]
     pub fn machine(&self) -> Option<i128> {
         match &self.0 {
             Form::Machine(own) => Some(*own),
@@ -58,6 +64,7 @@ impl Integer {
 
     /// |n|
     #[must_use]
+    #[inline]
     pub fn abs(&self) -> Self {
         if Ring::sign(self).is_lt() {
             -self
@@ -138,6 +145,21 @@ impl Integer {
                 let size = i64::try_from(own.bits()).unwrap_or(i64::MAX);
                 (wide | (low << shift) >> 64, size - 128)
             }
+        }
+    }
+
+    /// a += b, in the memory of a long number.
+    #[inline(never)]
+    fn add_long(&mut self, other: &Self) {
+        if let Form::Long(own) = &mut self.0 {
+            let mut sum = std::mem::take(own);
+            match &other.0 {
+                Form::Long(other) => sum += other,
+                Form::Machine(other) => sum += *other,
+            }
+            *self = Self::of_long(sum);
+        } else {
+            *self = &*self + other;
         }
     }
 
@@ -259,10 +281,12 @@ impl FromStr for Integer {
 }
 
 impl Ring for Integer {
+    #[inline]
     fn zero() -> Self {
         Self::of_machine(0)
     }
 
+    #[inline]
     fn one() -> Self {
         Self::of_machine(1)
     }
@@ -271,28 +295,55 @@ impl Ring for Integer {
         value.clone()
     }
 
+    #[inline]
     fn is_zero(&self) -> bool {
         self.machine() == Some(0)
     }
 
+    #[inline]
     fn is_one(&self) -> bool {
         self.machine() == Some(1)
     }
 
+    #[inline]
     fn plus(&self, other: &Self) -> Self {
         self + other
     }
 
+    #[inline]
     fn minus(&self, other: &Self) -> Self {
         self - other
     }
 
+    #[inline]
     fn times(&self, other: &Self) -> Self {
         self * other
     }
 
+    #[inline]
+    fn add(&mut self, other: &Self) {
+        if let (Form::Machine(own), Form::Machine(other)) = (&mut self.0, &other.0)
+            && let Some(sum) = own.checked_add(*other)
+            && sum != i128::MIN
+        {
+            *own = sum;
+        } else {
+            self.add_long(other);
+        }
+    }
+
+    #[inline]
     fn add_product(&mut self, left: &Self, right: &Self) {
-        *self = &*self + &(left * right);
+        if let (Form::Machine(own), Form::Machine(left), Form::Machine(right)) =
+            (&mut self.0, &left.0, &right.0)
+            && let Some(product) = super::operators::machine_product(*left, *right)
+            && let Some(sum) = own.checked_add(product)
+            && sum != i128::MIN
+        {
+            *own = sum;
+        } else {
+            self.add_long(&(left * right));
+        }
     }
 
     fn negated(&self) -> Self {
@@ -316,6 +367,7 @@ impl Ring for Integer {
         self.abs()
     }
 
+    #[inline]
     fn sign(&self) -> Ordering {
         match &self.0 {
             Form::Machine(own) => own.cmp(&0),

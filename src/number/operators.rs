@@ -36,15 +36,22 @@ fn difference(left: &Integer, right: &Integer) -> Integer {
     Integer::of_long(by_reference(left, right, |left, right| left - right))
 }
 
+/// The product of machine numbers, if it is one.
+#[inline]
+pub(super) fn machine_product(left: i128, right: i128) -> Option<i128> {
+    // One instruction for two words; a double word takes a check.
+    if let (Ok(left), Ok(right)) = (i64::try_from(left), i64::try_from(right)) {
+        return Some(i128::from(left) * i128::from(right));
+    }
+    let product = left.checked_mul(right)?;
+    (product != i128::MIN).then_some(product)
+}
+
 fn product(left: &Integer, right: &Integer) -> Integer {
-    if let (Form::Machine(left), Form::Machine(right)) = (left.form(), right.form()) {
-        // One instruction for two words; a double word takes a check.
-        if let (Ok(left), Ok(right)) = (i64::try_from(*left), i64::try_from(*right)) {
-            return Integer::of_machine(i128::from(left) * i128::from(right));
-        }
-        if let Some(product) = machine(left.checked_mul(*right)) {
-            return product;
-        }
+    if let (Form::Machine(left), Form::Machine(right)) = (left.form(), right.form())
+        && let Some(product) = machine_product(*left, *right)
+    {
+        return Integer::of_machine(product);
     }
     Integer::of_long(by_reference(left, right, |left, right| left * right))
 }

@@ -9,7 +9,7 @@ use super::{Basis, Enclosure, Generator, Integer, Place, Ring, gcd};
 /// A number is kept at its lowest level: a + b√aₖ with b ≠ 0 and both parts below level k. As
 /// no radicand is a square below its level, equality of values is equality of representations.
 /// Operands of one operation belong to one tower.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, PartialEq, Eq)]
 pub enum SurdInteger {
     /// A rational integer.
     Rational(Integer),
@@ -26,6 +26,20 @@ pub struct Binomial {
     pub slope: SurdInteger,
     /// √aₖ
     pub generator: Generator,
+}
+
+impl Clone for SurdInteger {
+    #[inline]
+    fn clone(&self) -> Self {
+        #[inline(never)]
+        fn irrational(own: &Binomial) -> SurdInteger {
+            SurdInteger::Irrational(Box::new(own.clone()))
+        }
+        match self {
+            Self::Rational(own) => Self::Rational(own.clone()),
+            Self::Irrational(own) => irrational(own),
+        }
+    }
 }
 
 impl SurdInteger {
@@ -183,10 +197,12 @@ impl SurdInteger {
 }
 
 impl Ring for SurdInteger {
+    #[inline]
     fn zero() -> Self {
         Self::Rational(Ring::zero())
     }
 
+    #[inline]
     fn one() -> Self {
         Self::Rational(Ring::one())
     }
@@ -195,20 +211,39 @@ impl Ring for SurdInteger {
         Self::Rational(value.clone())
     }
 
+    #[inline]
     fn is_zero(&self) -> bool {
         matches!(self, Self::Rational(own) if Ring::is_zero(own))
     }
 
+    #[inline]
     fn is_one(&self) -> bool {
         matches!(self, Self::Rational(own) if Ring::is_one(own))
     }
 
+    #[inline]
     fn plus(&self, other: &Self) -> Self {
+        if let (Self::Rational(left), Self::Rational(right)) = (self, other) {
+            return Self::Rational(left + right);
+        }
         self.combine(other, &|left, right| left + right)
     }
 
+    #[inline]
     fn minus(&self, other: &Self) -> Self {
+        if let (Self::Rational(left), Self::Rational(right)) = (self, other) {
+            return Self::Rational(left - right);
+        }
         self.combine(other, &|left, right| left - right)
+    }
+
+    #[inline]
+    fn add(&mut self, other: &Self) {
+        if let (Self::Rational(own), Self::Rational(other)) = (&mut *self, other) {
+            own.add(other);
+        } else {
+            self.accumulate(other.clone());
+        }
     }
 
     fn times(&self, other: &Self) -> Self {
@@ -237,6 +272,7 @@ impl Ring for SurdInteger {
         }
     }
 
+    #[inline]
     fn add_product(&mut self, left: &Self, right: &Self) {
         if let (Self::Rational(own), Self::Rational(left), Self::Rational(right)) =
             (&mut *self, left, right)
@@ -251,11 +287,13 @@ impl Ring for SurdInteger {
         self.map(&|own| -own)
     }
 
+    #[inline]
     fn scaled(&self, factor: &Integer) -> Self {
-        if Ring::is_zero(factor) {
-            return Self::zero();
+        match self {
+            Self::Rational(own) => Self::Rational(own * factor),
+            Self::Irrational(_) if Ring::is_zero(factor) => Self::zero(),
+            Self::Irrational(_) => self.map(&|own| own * factor),
         }
-        self.map(&|own| own * factor)
     }
 
     fn divided(&self, divisor: &Integer) -> Self {
@@ -280,6 +318,7 @@ impl Ring for SurdInteger {
         }
     }
 
+    #[inline]
     fn content(&self) -> Integer {
         match self {
             Self::Rational(own) => own.content(),
@@ -293,6 +332,7 @@ impl Ring for SurdInteger {
         }
     }
 
+    #[inline]
     fn sign(&self) -> Ordering {
         match self {
             Self::Rational(own) => Ring::sign(own),

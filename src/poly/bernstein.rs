@@ -24,10 +24,13 @@ pub fn scaled_bernstein<R: Ring>(powers: &[R], degree: usize) -> Vec<R> {
     let mut expanded = vec![R::zero(); degree + 1];
     for order in 0..=degree {
         for index in (1..=order).rev() {
-            expanded[index] = expanded[index].plus(&expanded[index - 1]);
+            let (below, above) = expanded.split_at_mut(index);
+            if let (Some(own), Some(other)) = (above.first_mut(), below.last()) {
+                own.add(other);
+            }
         }
         if let Some(own) = powers.get(order) {
-            expanded[order] = expanded[order].plus(own);
+            expanded[order].add(own);
         }
     }
     expanded
