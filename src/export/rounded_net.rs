@@ -161,7 +161,7 @@ impl RoundedNet {
         let places = (0..self.points.len()).flat_map(|i| (0..columns).map(move |j| (i, j)));
         let mut order: Vec<_> = places.collect();
         let bits = |&(i, j): &(usize, usize)| self.points[i][j].map(|own| own.value().to_bits());
-        order.sort_by_key(bits);
+        order.sort_by_cached_key(bits);
         let kinds = order.chunk_by(|left, right| bits(left) == bits(right));
         let pairs = kinds.flat_map(|kind| kind[1..].iter().map(|later| (kind[0], *later)));
         let mut pairs: Vec<_> = pairs.collect();

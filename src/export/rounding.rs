@@ -54,8 +54,16 @@ impl Rounding {
     /// - **errors** a number beyond the last double (E0306)
     pub(super) fn knots(&mut self, knots: &Knots, along: &str) -> Result<Vec<Double>, ExportFault> {
         let what = || format!("a knot along {along}");
-        let values = knots.values().iter();
-        values.map(|own| self.round(own, &what)).collect()
+        let mut earlier: Option<(&Real, Double)> = None;
+        let round = |own| {
+            let double = match earlier {
+                Some((known, double)) if known == own => double,
+                _ => self.round(own, &what)?,
+            };
+            earlier = Some((own, double));
+            Ok(double)
+        };
+        knots.values().iter().map(round).collect()
     }
 
     /// Says which numbers became zero or subnormal (W1005).

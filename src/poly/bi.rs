@@ -214,6 +214,39 @@ impl<F: Field> BiPoly<F> {
         result
     }
 
+    /// d(u) e(v) p
+    #[must_use]
+    pub fn times_separable(&self, in_u: &UniPoly<F>, in_v: &UniPoly<F>) -> Self {
+        let ones = [in_u, in_v].map(UniPoly::is_one);
+        if ones == [true, true] {
+            return self.clone();
+        }
+        let times = |own: &UniPoly<F>, factor: &UniPoly<F>, is_one: bool| {
+            if is_one { own.clone() } else { own * factor }
+        };
+        let mut product = Self::zero();
+        for (own_u, own_v) in &self.terms {
+            let v = times(own_v, in_v, ones[1]);
+            if ones[0] {
+                product.add_primitive_term(own_u.clone(), v);
+            } else {
+                product.add_term(&times(own_u, in_u, false), &v);
+            }
+        }
+        product
+    }
+
+    /// p + q + …
+    #[must_use]
+    pub fn sum(terms: impl IntoIterator<Item = Self>) -> Self {
+        let mut terms = terms.into_iter();
+        let mut sum = terms.next().unwrap_or_else(Self::zero);
+        for (in_u, in_v) in terms.flat_map(|own| own.terms) {
+            sum.add_primitive_term(in_u, in_v);
+        }
+        sum.limit_terms()
+    }
+
     /// The greatest common divisor of the coefficients as polynomials in u, primitive: the
     /// largest factor in u alone. 0 for 0.
     #[must_use]
@@ -361,14 +394,17 @@ fn top_degree<'a, F: Field>(
     terms: impl Iterator<Item = (&'a UniPoly<F>, &'a UniPoly<F>)> + Clone,
 ) -> Option<usize> {
     let high = terms.clone().filter_map(|(own, _)| own.degree()).max()?;
-    let mut leading = terms.filter(|(own, _)| own.degree() == Some(high));
+    let mut leading = terms.clone().filter(|(own, _)| own.degree() == Some(high));
     let (first, other) = (leading.next()?, leading.next());
-    if other.is_none() {
+    let Some(other) = other else {
+        return Some(high);
+    };
+    if leading.next().is_none() && first.1.degree() != other.1.degree() {
         return Some(high);
     }
+    let leading = terms.filter(|(own, _)| own.degree() == Some(high));
     let scaled = |(own, other): (&UniPoly<F>, &UniPoly<F>)| other.scale(&own.leading_coefficient());
-    let parts = [Some(first), other].into_iter().flatten().chain(leading);
-    let sum = UniPoly::sum(&parts.map(scaled).collect::<Vec<_>>());
+    let sum = UniPoly::sum(&leading.map(scaled).collect::<Vec<_>>());
     (!sum.is_zero()).then_some(high)
 }
 

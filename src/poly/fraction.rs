@@ -131,9 +131,8 @@ impl<F: Field> Denominator<F> {
         }
     }
 
-    /// The polynomial by which this denominator must be multiplied to give one of its multiples.
-    #[must_use]
-    pub fn cofactor(&self, multiple: &Self) -> BiPoly<F> {
+    /// A polynomial times what this denominator must be multiplied by to give one of its multiples.
+    fn raise(&self, polynomial: &BiPoly<F>, multiple: &Self) -> BiPoly<F> {
         let divide = |whole: &UniPoly<F>, part: &UniPoly<F>| {
             if whole == part {
                 Some(UniPoly::one())
@@ -143,7 +142,7 @@ impl<F: Field> Denominator<F> {
         };
         let in_u = divide(&multiple.in_u, &self.in_u).unwrap_or_else(UniPoly::one);
         let in_v = divide(&multiple.in_v, &self.in_v).unwrap_or_else(UniPoly::one);
-        let separable = BiPoly::product(&in_u, &in_v);
+        let separable = polynomial.times_separable(&in_u, &in_v);
         let mixed = match (&multiple.mixed, &self.mixed) {
             (None, _) => None,
             (Some(whole), None) => Some(whole.clone()),
@@ -185,6 +184,30 @@ pub struct Fraction<F: Field> {
 }
 
 impl<F: Field> Fraction<F> {
+    /// a(u)
+    #[must_use]
+    pub fn in_u(quotient: &Quotient<F>) -> Self {
+        Self::new(
+            BiPoly::in_u(quotient.numerator()),
+            Denominator {
+                in_u: quotient.denominator().clone(),
+                ..Denominator::one()
+            },
+        )
+    }
+
+    /// b(v)
+    #[must_use]
+    pub fn in_v(quotient: &Quotient<F>) -> Self {
+        Self::new(
+            BiPoly::in_v(quotient.numerator()),
+            Denominator {
+                in_v: quotient.denominator().clone(),
+                ..Denominator::one()
+            },
+        )
+    }
+
     /// a(u) b(v)
     #[must_use]
     pub fn product(in_u: &Quotient<F>, in_v: &Quotient<F>) -> Self {
@@ -259,10 +282,8 @@ impl<F: Field> Fraction<F> {
         let denominator = terms.iter().fold(Denominator::one(), |common, own| {
             common.lcm(&own.denominator)
         });
-        let numerator = terms.iter().fold(BiPoly::zero(), |sum, own| {
-            &sum + &own.numerator_over(&denominator)
-        });
-        Self::new(numerator, denominator)
+        let numerators = terms.iter().map(|own| own.numerator_over(&denominator));
+        Self::new(BiPoly::sum(numerators), denominator)
     }
 
     /// c a
@@ -319,7 +340,7 @@ impl<F: Field> Fraction<F> {
         if self.denominator == *multiple {
             return self.numerator.clone();
         }
-        &self.numerator * &self.denominator.cofactor(multiple)
+        self.denominator.raise(&self.numerator, multiple)
     }
 
     /// ∂a/∂u = (N′ D − N D′) / D²; a denominator free of u stays as it is.

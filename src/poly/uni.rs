@@ -116,6 +116,12 @@ impl<F: Field> UniPoly<F> {
         self.numerators.is_empty()
     }
 
+    /// Whether it is 1.
+    #[must_use]
+    pub fn is_one(&self) -> bool {
+        matches!(self.numerators.as_slice(), [only] if only.is_one()) && self.denominator.is_one()
+    }
+
     /// Whether it is a constant, 0 included.
     #[must_use]
     pub fn is_constant(&self) -> bool {
@@ -472,6 +478,11 @@ impl<F: Field> Mul for &UniPoly<F> {
     fn mul(self, other: Self) -> UniPoly<F> {
         if self.is_zero() || other.is_zero() {
             return UniPoly::zero();
+        }
+        match (self.is_one(), other.is_one()) {
+            (true, _) => return other.clone(),
+            (_, true) => return self.clone(),
+            _ => {}
         }
         let length = self.numerators.len() + other.numerators.len() - 1;
         let mut product = vec![F::Ring::zero(); length];

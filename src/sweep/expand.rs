@@ -62,7 +62,7 @@ impl<'a> Expander<'a> {
     /// As [`Expander::expand`].
     pub fn expand_vector(&mut self, vector: &Vector) -> Found<[Fraction<Real>; 3]> {
         let [x, y, z] = vector.each_ref().map(|own| self.expand(own));
-        Ok([x?.fraction(), y?.fraction(), z?.fraction()])
+        Ok([x?.into_fraction(), y?.into_fraction(), z?.into_fraction()])
     }
 
     /// The number that an expression is.
@@ -127,7 +127,7 @@ impl<'a> Expander<'a> {
     }
 
     fn fraction(&mut self, expression: &Scalar) -> Found<Fraction<Real>> {
-        Ok(self.expanded(expression)?.fraction())
+        Ok(self.expanded(expression)?.into_fraction())
     }
 
     fn form(&mut self, expression: &Scalar) -> Found<Expanded> {

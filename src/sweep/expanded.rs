@@ -2,7 +2,7 @@ use std::rc::Rc;
 
 use crate::curve::Parameter;
 use crate::number::{Field, Real};
-use crate::poly::{BiPoly, Denominator, Fraction, Quotient, UniPoly};
+use crate::poly::{Fraction, Quotient, UniPoly};
 
 /// What an expression expands to, held in as few parameters as it is written with: most parts of
 /// a sweep are numbers or functions of one parameter, and only their products are surfaces.
@@ -56,15 +56,19 @@ impl Expanded {
     pub fn fraction(&self) -> Fraction<Real> {
         match self {
             Self::Number(own) => Fraction::constant(own),
-            Self::InOne(Parameter::U, own) => Fraction::new(
-                BiPoly::in_u(own.numerator()),
-                Denominator::separable(own.denominator(), &UniPoly::one()),
-            ),
-            Self::InOne(Parameter::V, own) => Fraction::new(
-                BiPoly::in_v(own.numerator()),
-                Denominator::separable(&UniPoly::one(), own.denominator()),
-            ),
+            Self::InOne(Parameter::U, own) => Fraction::in_u(own),
+            Self::InOne(Parameter::V, own) => Fraction::in_v(own),
             Self::InBoth(own) => own.clone(),
+        }
+    }
+
+    /// As [`Expanded::fraction`], without a copy if nobody else holds it.
+    #[must_use]
+    pub(super) fn into_fraction(self: Rc<Self>) -> Fraction<Real> {
+        match Rc::try_unwrap(self) {
+            Ok(Self::InBoth(own)) => own,
+            Ok(own) => own.fraction(),
+            Err(shared) => shared.fraction(),
         }
     }
 
@@ -136,8 +140,8 @@ impl Expanded {
             (Some(own), None, true) => Self::InOne(Parameter::U, own),
             (None, Some(own), true) => Self::InOne(Parameter::V, own),
             (in_u, in_v, _) => {
-                let in_u = in_u.map(|own| Self::InOne(Parameter::U, own).fraction());
-                let in_v = in_v.map(|own| Self::InOne(Parameter::V, own).fraction());
+                let in_u = in_u.as_ref().map(Fraction::in_u);
+                let in_v = in_v.as_ref().map(Fraction::in_v);
                 let constant = (!rest.is_zero()).then(|| Fraction::constant(&rest));
                 let single = [in_v, in_u, constant];
                 let single = single.iter().flatten();

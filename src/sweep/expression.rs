@@ -257,7 +257,13 @@ impl Scalar {
     /// Whether two expressions are written alike; pairs that were seen are not compared again.
     fn is_same(&self, other: &Self, seen: &mut HashSet<(usize, usize)>) -> bool {
         let pair = (self.identity(), other.identity());
-        if pair.0 == pair.1 || !seen.insert(pair) {
+        if pair.0 == pair.1 {
+            return true;
+        }
+        if self.depth() == 0 || other.depth() == 0 {
+            return self.form().is_like(other.form());
+        }
+        if !seen.insert(pair) {
             return true;
         }
         let (left, right) = (self.form().parts(), other.form().parts());
