@@ -404,7 +404,8 @@ fn top_degree<'a, F: Field>(
     }
     let leading = terms.filter(|(own, _)| own.degree() == Some(high));
     let scaled = |(own, other): (&UniPoly<F>, &UniPoly<F>)| other.scale(&own.leading_coefficient());
-    let sum = UniPoly::sum(&leading.map(scaled).collect::<Vec<_>>());
+    let scaled: Vec<_> = leading.map(scaled).collect();
+    let sum = UniPoly::sum(&scaled.iter().collect::<Vec<_>>());
     (!sum.is_zero()).then_some(high)
 }
 

@@ -68,12 +68,16 @@ impl<F: Field> Quotient<F> {
         let denominator = terms
             .iter()
             .fold(UniPoly::one(), |common, own| lcm(&common, &own.denominator));
-        let numerators: Vec<_> = terms
-            .iter()
-            .map(|own| own.numerator_over(&denominator))
-            .collect();
+        let numerator = if terms.iter().all(|own| own.denominator == denominator) {
+            let numerators = terms.iter().map(|own| &own.numerator);
+            UniPoly::sum(&numerators.collect::<Vec<_>>())
+        } else {
+            let raised = terms.iter().map(|own| own.numerator_over(&denominator));
+            let raised: Vec<_> = raised.collect();
+            UniPoly::sum(&raised.iter().collect::<Vec<_>>())
+        };
         Self {
-            numerator: UniPoly::sum(&numerators),
+            numerator,
             denominator,
         }
     }

@@ -1,17 +1,35 @@
 use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
 
+use smallvec::{SmallVec, smallvec};
+
 use crate::number::{Field, Integer, Ring, gcd, lcm};
+
+/// Numerators; a constant needs no memory of its own.
+type Numerators<R> = SmallVec<[R; 1]>;
 
 /// A polynomial in one variable, Σ (nᵢ / d) xⁱ.
 ///
 /// Canonical: the last numerator is not 0, d > 0, and no integer above 1 divides d and all
 /// numerators; so equality of values is equality of representations. The zero polynomial has no
 /// numerators, and no degree.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(PartialEq, Eq, Debug)]
 pub struct UniPoly<F: Field> {
-    numerators: Vec<F::Ring>,
+    numerators: Numerators<F::Ring>,
     denominator: Integer,
+}
+
+impl<F: Field> Clone for UniPoly<F> {
+    fn clone(&self) -> Self {
+        let numerators = match self.numerators.as_slice() {
+            [only] => smallvec![only.clone()],
+            several => several.to_vec().into(),
+        };
+        Self {
+            numerators,
+            denominator: self.denominator.clone(),
+        }
+    }
 }
 
 impl<F: Field> UniPoly<F> {
@@ -19,7 +37,7 @@ impl<F: Field> UniPoly<F> {
     #[must_use]
     pub fn from_numerators(numerators: Vec<F::Ring>, denominator: Integer) -> Self {
         let mut polynomial = Self {
-            numerators,
+            numerators: numerators.into(),
             denominator,
         };
         polynomial.normalise();
@@ -46,7 +64,7 @@ impl<F: Field> UniPoly<F> {
     #[must_use]
     pub fn zero() -> Self {
         Self {
-            numerators: Vec::new(),
+            numerators: Numerators::new(),
             denominator: Integer::one(),
         }
     }
@@ -55,7 +73,7 @@ impl<F: Field> UniPoly<F> {
     #[must_use]
     pub fn one() -> Self {
         Self {
-            numerators: vec![F::Ring::one()],
+            numerators: smallvec![F::Ring::one()],
             denominator: Integer::one(),
         }
     }
@@ -71,9 +89,9 @@ impl<F: Field> UniPoly<F> {
     pub fn constant(value: &F) -> Self {
         let (numerator, denominator) = value.parts();
         let numerators = if numerator.is_zero() {
-            Vec::new()
+            Numerators::new()
         } else {
-            vec![numerator]
+            smallvec![numerator]
         };
         Self {
             numerators,
@@ -83,9 +101,9 @@ impl<F: Field> UniPoly<F> {
 
     /// p + q + …
     #[must_use]
-    pub fn sum(terms: &[Self]) -> Self {
+    pub fn sum(terms: &[&Self]) -> Self {
         if let [only] = terms {
-            return only.clone();
+            return (*only).clone();
         }
         let common = terms
             .iter()
@@ -187,10 +205,11 @@ impl<F: Field> UniPoly<F> {
         if self.is_zero() {
             return Self::zero();
         }
-        let mut numerators = vec![F::Ring::zero(); power];
+        let mut numerators = Vec::with_capacity(power + self.numerators.len());
+        numerators.resize(power, F::Ring::zero());
         numerators.extend_from_slice(&self.numerators);
         Self {
-            numerators,
+            numerators: numerators.into(),
             denominator: self.denominator.clone(),
         }
     }
@@ -325,7 +344,7 @@ impl<F: Field> UniPoly<F> {
         let monic = divisor.scale(&inverse);
         // With the monic divisor m / e every step multiplies the remainder by e only.
         let (body, lead) = (&monic.numerators, &monic.denominator);
-        let mut remainder = self.numerators.clone();
+        let mut remainder = self.numerators.to_vec();
         let mut denominator = self.denominator.clone();
         let mut quotient = vec![F::zero(); steps + 1];
         for step in (0..=steps).rev() {
@@ -377,7 +396,7 @@ impl<F: Field> UniPoly<F> {
             .iter()
             .map(|own| own.divided(&content))
             .collect();
-        let mut remainder = self.numerators.clone();
+        let mut remainder = self.numerators.to_vec();
         let mut quotient = vec![F::Ring::zero(); steps + 1];
         for step in (0..=steps).rev() {
             let digit = remainder[step + low].quotient(&body[low])?;

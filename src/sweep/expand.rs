@@ -4,9 +4,10 @@ use std::rc::Rc;
 use crate::curve::{Fault, Parameter};
 use crate::diag::{Code, Diagnostic, Limits};
 use crate::number::{Field, Real, Tower};
-use crate::poly::{Fraction, Quotient};
+use crate::poly::{BiDegree, Fraction, Quotient};
 
 use super::bound::Counter;
+use super::rough::rough_degree;
 use super::square_root::square_root;
 use super::{
     CurveProperty, DegreeBound, Domain, Expanded, Form, NormalFault, Scalar, Vector, unit_normal,
@@ -83,9 +84,16 @@ impl<'a> Expander<'a> {
     }
 
     fn check_size(&mut self, expression: &Scalar) -> Found<()> {
+        let size = |degree: BiDegree| {
+            let terms = (degree.u.saturating_add(1)).saturating_mul(degree.v.saturating_add(1));
+            (degree.u.max(degree.v), terms)
+        };
+        let fits = |(high, terms)| high <= self.limits.degree && terms <= self.limits.terms;
+        if rough_degree(expression).map(size).is_some_and(fits) {
+            return Ok(());
+        }
         let degree = self.counter.largest(expression);
-        let terms = (degree.u.saturating_add(1)).saturating_mul(degree.v.saturating_add(1));
-        let high = degree.u.max(degree.v);
+        let (high, terms) = size(degree);
         let excess = if high > self.limits.degree {
             format!(
                 "degree {high}, the limit is {} (`--max-degree`)",

@@ -370,6 +370,10 @@ fn fold(
             parts
         };
     }
+    let leads = |own: &Scalar| own.as_number().is_some_and(|own| own != neutral);
+    if count == 1 && parts.first().is_some_and(leads) {
+        return parts;
+    }
     let mut value: Option<Real> = None;
     let mut rest = Vec::with_capacity(parts.len());
     for part in parts {

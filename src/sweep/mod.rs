@@ -7,6 +7,7 @@ mod expand;
 mod expanded;
 mod expression;
 mod normal;
+mod rough;
 mod square_root;
 mod surface;
 
