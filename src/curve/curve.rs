@@ -52,7 +52,11 @@ impl Curve {
         position: Homogeneous,
         tower: Tower,
     ) -> Self {
-        let hodograph = Hodograph::of(&position.reduce());
+        let hodograph = if position.is_polynomial() {
+            Hodograph::of(&position)
+        } else {
+            Hodograph::of(&position.reduce())
+        };
         Self {
             name,
             plane,

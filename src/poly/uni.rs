@@ -248,17 +248,20 @@ impl<F: Field> UniPoly<F> {
     /// The polynomial P with P′ = p and P(0) = 0.
     #[must_use]
     pub fn antiderivative(&self) -> Self {
-        let coefficients: Vec<F> = std::iter::once(F::zero())
-            .chain(self.numerators.iter().enumerate().map(|(power, own)| {
-                F::from_parts(own.clone(), &self.denominator * Integer::from(power + 1))
-            }))
-            .collect();
-        Self::from_coefficients(&coefficients)
+        let powers = 1..=self.numerators.len();
+        let common = powers.fold(Integer::one(), |all, own| lcm(&all, &Integer::from(own)));
+        let terms = self.numerators.iter().enumerate();
+        let terms = terms.map(|(power, own)| own.scaled(&(&common / Integer::from(power + 1))));
+        let numerators = std::iter::once(F::Ring::zero()).chain(terms);
+        Self::from_numerators(numerators.collect(), &self.denominator * &common)
     }
 
     /// p(x) at a number, by Horner's rule on numerator and denominator.
     #[must_use]
     pub fn evaluate(&self, at: &F) -> F {
+        if at.is_zero() {
+            return self.coefficient(0);
+        }
         let (numerator, denominator) = at.parts();
         let mut value = F::Ring::zero();
         let mut power = Integer::one();
@@ -369,6 +372,9 @@ impl<F: Field> UniPoly<F> {
     /// The quotient if the divisor divides; none if it does not, or is 0.
     #[must_use]
     pub fn exact_div(&self, divisor: &Self) -> Option<Self> {
+        if divisor.is_one() {
+            return Some(self.clone());
+        }
         if divisor.is_constant() {
             return Some(self.scale(&divisor.leading_coefficient().inverse()?));
         }
