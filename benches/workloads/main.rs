@@ -7,29 +7,39 @@
 )]
 
 mod record;
+mod summary;
 
-use std::path::PathBuf;
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use clap::Parser;
+use serde_json::json;
 
-use record::{Outcome, Parsed, Record, Set};
+use record::{Expected, Outcome, Parsed, Record, STEPS, Set};
+use summary::Summary;
 
 /// Times the workloads, from the parsed text to the doubles.
 #[derive(Parser)]
 struct Arguments {
-    /// The set: W1, W2s, W3, W5, W6 or W7
+    /// The set: W1, W2s, W2ds, W3, W5 (its first 1,000 cases), W6 or W7
     #[arg(long, default_value = "W1")]
     set: String,
     /// A file of records instead of a set
     #[arg(long)]
     data: Option<PathBuf>,
+    /// A file that maps names of cases to what is expected of them
+    #[arg(long)]
+    expected: Option<PathBuf>,
     /// Runs of each case, of which the median counts
     #[arg(long, default_value_t = 9)]
     samples: usize,
     /// Only cases whose names contain this
     #[arg(long, default_value = "")]
     only: String,
+    /// Only so many cases
+    #[arg(long)]
+    first: Option<usize>,
     /// One JSON object a line
     #[arg(long)]
     json: bool,
@@ -38,81 +48,141 @@ struct Arguments {
     bench: bool,
 }
 
-const STEPS: [&str; 4] = ["lower", "expand", "bernstein", "round"];
+type Fallible<T> = Result<T, Box<dyn std::error::Error>>;
 
-fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let arguments = Arguments::parse();
+fn main() -> Fallible<()> {
+    sweeps(&Arguments::parse())
+}
+
+/// Times the compilation of every record of a set.
+fn sweeps(arguments: &Arguments) -> Fallible<()> {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("benches/workloads");
     let known = folder.join(format!("{}.json", arguments.set));
-    let text = std::fs::read_to_string(arguments.data.as_ref().unwrap_or(&known))?;
-    let set: Set = serde_json::from_str(&text)?;
-    let mut logarithms = 0.0;
-    let mut count = 0_u32;
+    let set: Set = read(arguments.data.as_ref().unwrap_or(&known))?;
+    let expected: HashMap<String, Expected> = match &arguments.expected {
+        Some(path) => read(path)?,
+        None => HashMap::new(),
+    };
     let wanted = |own: &&Record| own.id.contains(&arguments.only);
-    for record in set.cases.iter().filter(wanted) {
-        let (outcome, times) = measure(record, arguments.samples.max(1));
-        let total: Duration = times.iter().sum();
-        logarithms += total.as_secs_f64().ln();
-        count += 1;
-        println!("{}", line(record, &outcome, &times, arguments.json));
+    let records = set.cases.iter().filter(wanted);
+    let mut summary = Summary::default();
+    let mut different = 0;
+    for record in records.take(arguments.first.unwrap_or(usize::MAX)) {
+        let case = Case::measure(record, arguments.samples.max(1));
+        let expected = record.expected.as_ref().or(expected.get(&record.id));
+        summary.add(&record.id, record.m, case.total, case.without_lower);
+        different += u32::from(case.agrees(expected) == Some(false));
+        println!("{}", case.line(record, expected, arguments.json));
     }
-    let mean = (logarithms / f64::from(count.max(1))).exp();
-    if arguments.json {
-        println!(
-            "{}",
-            serde_json::json!({"cases": count, "geometric_mean_us": mean * 1e6})
-        );
-    } else {
-        println!("{count} cases, geometric mean {:.1} µs", mean * 1e6);
+    println!("{}", conclusion(&summary, different, arguments.json));
+    if different > 0 {
+        return Err(format!("{different} cases differ from what is expected").into());
     }
     Ok(())
 }
 
-/// The outcome, and the median time of each step.
-fn measure(record: &Record, samples: usize) -> (Outcome, [Duration; 4]) {
-    let parsed = Parsed::new(record);
-    let outcome = parsed.compile();
-    let runs: Vec<_> = (0..samples).map(|_| parsed.compile().times).collect();
-    let median = |step: usize| {
-        let mut own: Vec<Duration> = runs.iter().map(|run| run[step]).collect();
-        own.sort();
-        own[own.len() / 2]
-    };
-    (outcome, [0, 1, 2, 3].map(median))
+fn read<T: serde::de::DeserializeOwned>(path: &Path) -> Fallible<T> {
+    let text = std::fs::read_to_string(path);
+    let text = text.map_err(|own| format!("{}: {own}", path.display()))?;
+    Ok(serde_json::from_str(&text)?)
 }
 
-fn line(record: &Record, outcome: &Outcome, times: &[Duration; 4], json: bool) -> String {
-    let micros = |own: &Duration| own.as_secs_f64() * 1e6;
-    let total: f64 = times.iter().map(micros).sum();
-    let expected = record.expected.as_ref();
-    let agrees = expected.map(|own| own.hash == outcome.hash && own.bidegree == outcome.bidegree);
-    if json {
-        let steps = STEPS.iter().zip(times);
-        let steps: serde_json::Map<_, _> = steps
-            .map(|(name, own)| ((*name).to_owned(), micros(own).into()))
+/// A compiled record with its median times.
+struct Case {
+    outcome: Outcome,
+    steps: [Duration; STEPS.len()],
+    total: Duration,
+    /// From the surface in memory on: without names, types, the numbers and the curves of the text.
+    without_lower: Duration,
+}
+
+impl Case {
+    fn measure(record: &Record, samples: usize) -> Self {
+        let parsed = Parsed::new(record);
+        let outcome = parsed.compile();
+        let runs: Vec<_> = (0..samples).map(|_| parsed.compile().times).collect();
+        let median = |time: &dyn Fn(&[Duration; STEPS.len()]) -> Duration| {
+            let mut own: Vec<Duration> = runs.iter().map(time).collect();
+            own.sort();
+            own[own.len() / 2]
+        };
+        Self {
+            outcome,
+            steps: std::array::from_fn(|step| median(&|run| run[step])),
+            total: median(&|run| run.iter().sum()),
+            without_lower: median(&|run| run[1..].iter().sum()),
+        }
+    }
+
+    fn agrees(&self, expected: Option<&Expected>) -> Option<bool> {
+        let Outcome { hash, bidegree, .. } = &self.outcome;
+        expected.map(|own| own.hash == *hash && own.bidegree == *bidegree)
+    }
+
+    fn line(&self, record: &Record, expected: Option<&Expected>, json: bool) -> String {
+        let (id, outcome, agrees) = (&record.id, &self.outcome, self.agrees(expected));
+        let steps = STEPS.iter().zip(self.steps.map(micros));
+        if json {
+            let steps: serde_json::Map<_, _> = steps
+                .map(|(name, own)| ((*name).to_owned(), own.into()))
+                .collect();
+            return json!({
+                "id": id, "hash": outcome.hash, "agrees": agrees,
+                "bidegree": outcome.bidegree, "common_factor": outcome.common_factor,
+                "expected_common_factor": expected.map(|own| own.common_factor),
+                "median_us": steps, "total_us": micros(self.total),
+                "without_lower_us": micros(self.without_lower),
+            })
+            .to_string();
+        }
+        let steps: Vec<String> = steps
+            .map(|(name, own)| format!("{name} {own:.1}"))
             .collect();
-        return serde_json::json!({
-            "id": record.id, "hash": outcome.hash, "agrees": agrees,
-            "bidegree": outcome.bidegree, "common_factor": outcome.common_factor,
-            "expected_common_factor": expected.map(|own| own.common_factor),
-            "median_us": steps, "total_us": total,
+        let verdict = match agrees {
+            Some(true) => "equal",
+            Some(false) => "DIFFERENT",
+            None => "",
+        };
+        let ([u, v], [a, b]) = (outcome.bidegree, outcome.common_factor);
+        format!(
+            "{id:<28} {} {verdict:<9} ({u}, {v}) factor ({a}, {b})  {}  total {:.1} µs",
+            outcome.hash,
+            steps.join("  "),
+            micros(self.total)
+        )
+    }
+}
+
+/// The geometric means, and the growth in m.
+fn conclusion(summary: &Summary, different: u32, json: bool) -> String {
+    let (cases, [total, without_lower]) = (summary.cases(), summary.means());
+    let growths = summary.growths();
+    if json {
+        let growths: Vec<_> = growths
+            .iter()
+            .map(|own| {
+                json!({
+                    "cases": own.group, "m": [own.from, own.to], "exponent": own.exponent,
+                })
+            })
+            .collect();
+        return json!({
+            "cases": cases, "different": different, "geometric_mean_us": total,
+            "geometric_mean_without_lower_us": without_lower, "growth": growths,
         })
         .to_string();
     }
-    let steps = STEPS.iter().zip(times);
-    let steps: Vec<String> = steps
-        .map(|(name, own)| format!("{name} {:.1}", micros(own)))
-        .collect();
-    let verdict = match agrees {
-        Some(true) => "equal",
-        Some(false) => "DIFFERENT",
-        None => "",
-    };
-    let ([u, v], [a, b]) = (outcome.bidegree, outcome.common_factor);
-    format!(
-        "{:<28} {} {verdict:<9} ({u}, {v}) factor ({a}, {b})  {} total {total:.1} µs",
-        record.id,
-        outcome.hash,
-        steps.join("  ")
-    )
+    let mut text =
+        format!("{cases} cases, geometric mean {total:.1} µs, without lower {without_lower:.1} µs");
+    for own in growths {
+        text += &format!(
+            "\n{:<28} time ~ m^{:.2} from m = {} to {}",
+            own.group, own.exponent, own.from, own.to
+        );
+    }
+    text
+}
+
+fn micros(own: Duration) -> f64 {
+    own.as_secs_f64() * 1e6
 }

@@ -11,7 +11,7 @@ use sweepc::net::ControlNet;
 use sweepc::number::Real;
 use sweepc::poly::{BiDegree, UniPoly, from_bernstein};
 use sweepc::sema;
-use sweepc::sweep::Expansion;
+use sweepc::sweep::{Expansion, Step};
 use sweepc::syntax::ast::Document;
 
 const LIBRARY: &str = include_str!("../../src/std/constructions.sweep");
@@ -26,6 +26,8 @@ pub(crate) struct Set {
 #[derive(Debug, Deserialize)]
 pub(crate) struct Record {
     pub(crate) id: String,
+    /// The degree of the preimage.
+    pub(crate) m: usize,
     kind: String,
     w: Vec<[Coefficient; 2]>,
     h: Vec<String>,
@@ -56,7 +58,7 @@ struct Profile {
 }
 
 /// What three other programs found.
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Clone, Deserialize)]
 pub(crate) struct Expected {
     pub(crate) hash: String,
     pub(crate) bidegree: [usize; 2],
@@ -178,8 +180,33 @@ pub(crate) struct Outcome {
     pub(crate) bidegree: [usize; 2],
     pub(crate) common_factor: [usize; 2],
     pub(crate) hash: String,
-    /// lower, expand and reduce, Bernstein, round
-    pub(crate) times: [Duration; 4],
+    /// In the order of [`STEPS`].
+    pub(crate) times: [Duration; STEPS.len()],
+}
+
+/// The steps of a compilation: names, types and curves of the text; the formula over a common
+/// denominator; the common factor, and the proof that it is all; the quotients; the net; its doubles.
+pub(crate) const STEPS: [&str; 6] = ["lower", "expand", "gcd", "divide", "bernstein", "round"];
+
+/// Gives the time since the last call to one of the steps.
+struct Watch {
+    last: Instant,
+    times: [Duration; STEPS.len()],
+}
+
+impl Watch {
+    fn start() -> Self {
+        Self {
+            last: Instant::now(),
+            times: Default::default(),
+        }
+    }
+
+    fn tick(&mut self, step: usize) {
+        let now = Instant::now();
+        self.times[step] += now - self.last;
+        self.last = now;
+    }
 }
 
 impl Parsed {
@@ -208,7 +235,7 @@ impl Parsed {
     /// From the tree to the doubles.
     pub(crate) fn compile(&self) -> Outcome {
         let mut found = Diagnostics::default();
-        let start = Instant::now();
+        let mut watch = Watch::start();
         let program = sema::lower(
             &sema::Sources {
                 map: &self.map,
@@ -219,34 +246,34 @@ impl Parsed {
             },
             &mut found,
         );
-        let lowered = Instant::now();
+        watch.tick(0);
         let Some(surface) = program.surfaces.first() else {
             unreachable!("{found:?}");
         };
-        let expansion = Expansion::of(surface, &self.limits);
+        let expansion = Expansion::of_in_steps(surface, &self.limits, &mut |step| {
+            watch.tick(match step {
+                Step::Expanded => 1,
+                Step::FactorFound | Step::Certified => 2,
+                Step::Divided | Step::Scaled => 3,
+            });
+        });
         let expansion = expansion.unwrap_or_else(|own| unreachable!("{own:?}"));
-        let expanded = Instant::now();
         let (zero, one) = (Real::from(0), Real::from(1));
         let coordinates = expansion.surface.proportional();
         let net = ControlNet::bezier(coordinates.each_ref(), (&zero, &one), (&zero, &one));
         let Some(net) = net else {
             unreachable!("the first weight is 0");
         };
-        let converted = Instant::now();
+        watch.tick(4);
         let rounded = RoundedNet::new(&net);
         let rounded = rounded.unwrap_or_else(|own| unreachable!("{own:?}"));
-        let end = Instant::now();
+        watch.tick(5);
         let pair = |own: BiDegree| [own.u, own.v];
         Outcome {
             bidegree: pair(expansion.surface.bidegree()),
             common_factor: expansion.common_factor.bidegree().map_or([0, 0], pair),
             hash: hash(&rounded),
-            times: [
-                lowered - start,
-                expanded - lowered,
-                converted - expanded,
-                end - converted,
-            ],
+            times: watch.times,
         }
     }
 }

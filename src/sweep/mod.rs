@@ -18,4 +18,4 @@ pub use expand::Expander;
 pub use expanded::Expanded;
 pub use expression::{CurveProperty, Form, Scalar, Vector};
 pub use normal::{NormalFault, NormalVector, unit_normal};
-pub use surface::{Domain, Expansion, HomogeneousSurface, SweptSurface};
+pub use surface::{Domain, Expansion, HomogeneousSurface, Step, SweptSurface};

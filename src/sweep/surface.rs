@@ -171,26 +171,41 @@ impl HomogeneousSurface {
     /// Brings three fractions over their common denominator and removes the common factor.
     #[must_use]
     pub(super) fn of(fractions: &[Fraction<Real>; 3], domain: &Domain) -> Reduction {
+        Self::of_in_steps(fractions, domain, &mut |_| {})
+    }
+
+    /// As [`Self::of`], and tells of every step that is done.
+    fn of_in_steps(
+        fractions: &[Fraction<Real>; 3],
+        domain: &Domain,
+        done: &mut dyn FnMut(Step),
+    ) -> Reduction {
         let common = fractions.iter().fold(Denominator::one(), |common, own| {
             common.lcm(own.denominator())
         });
         let [x, y, z] = fractions.each_ref().map(|own| own.numerator_over(&common));
         let constructed = [common.polynomial(), x, y, z];
         let bidegrees = constructed.each_ref().map(BiPoly::bidegree);
+        done(Step::Expanded);
         let factor = CommonFactor::of(&common, &constructed);
+        done(Step::FactorFound);
         let (reduced, coprimality) = if factor.is_one() {
             (constructed, factor.proof)
         } else {
             let reduced = constructed.each_ref().map(|own| factor.divide(own));
+            done(Step::Divided);
             let coprimality = factor.certify(&common, &reduced);
+            done(Step::Certified);
             (reduced, coprimality)
         };
-        Reduction {
+        let reduction = Reduction {
             constructed: bidegrees,
             common_factor: normal_form(&factor.polynomial(), domain),
             coprimality,
             surface: Self::scaled(reduced, domain),
-        }
+        };
+        done(Step::Scaled);
+        reduction
     }
 }
 
@@ -200,6 +215,21 @@ pub(super) struct Reduction {
     pub(super) common_factor: BiPoly<Real>,
     pub(super) coprimality: Option<Coprimality>,
     pub(super) surface: HomogeneousSurface,
+}
+
+/// A step of an expansion that is done.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Step {
+    /// The formula is expanded over a common denominator.
+    Expanded,
+    /// The common factor of W, X, Y, Z is found; that it is 1 is proved.
+    FactorFound,
+    /// A common factor other than 1 is divided out.
+    Divided,
+    /// Of the quotients it is proved that nothing is left in common.
+    Certified,
+    /// W is positive and rational at the start corner.
+    Scaled,
 }
 
 /// What the formula of a surface expands to, with the story of its degrees.
@@ -224,11 +254,25 @@ impl Expansion {
     ///
     /// The findings of [`Expander::expand`].
     pub fn of(surface: &SweptSurface, limits: &Limits) -> Result<Self, Box<Diagnostic>> {
+        Self::of_in_steps(surface, limits, &mut |_| {})
+    }
+
+    /// As [`Self::of`], and tells of every step that is done.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Self::of`].
+    pub fn of_in_steps(
+        surface: &SweptSurface,
+        limits: &Limits,
+        done: &mut dyn FnMut(Step),
+    ) -> Result<Self, Box<Diagnostic>> {
         let mut expander = Expander::new(&surface.domain, &surface.tower, limits);
         let fractions = expander.expand_vector(&surface.coordinates)?;
-        let reduction = HomogeneousSurface::of(&fractions, &surface.domain);
+        let bound = expander.degree_bound(&surface.coordinates);
+        let reduction = HomogeneousSurface::of_in_steps(&fractions, &surface.domain, done);
         Ok(Self {
-            bound: expander.degree_bound(&surface.coordinates),
+            bound,
             constructed: reduction.constructed,
             common_factor: reduction.common_factor,
             coprimality: reduction.coprimality,
