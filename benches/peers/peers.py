@@ -1,0 +1,89 @@
+"""Times python-flint and sympy on the workloads: from rationals in memory to doubles in memory.
+
+The work is that of `cargo bench --bench workloads`: the curve from its preimage, the formula over a
+common denominator, the common factor out, the Bernstein net at the exact bidegree, and the doubles
+nearest to its exact values. Reading the data is not timed.
+"""
+
+import argparse
+import gc
+import json
+import statistics
+import struct
+import sys
+import time
+from pathlib import Path
+
+import bivariate_flint
+import bivariate_sympy
+import separable_flint
+
+PROGRAMS = {
+    "flint-separable": separable_flint,
+    "flint-bivariate": bivariate_flint,
+    "sympy-ring": bivariate_sympy,
+}
+WORKLOADS = Path(__file__).resolve().parent.parent / "workloads"
+
+
+def fnv(points):
+    """FNV-1a 64 over the little-endian bytes of x y z w, point by point, u outside, v inside."""
+    value = 0xCBF29CE484222325
+    for byte in struct.pack(f"<{4 * len(points)}d", *(own for point in points for own in point)):
+        value = (value ^ byte) * 0x100000001B3 & 0xFFFFFFFFFFFFFFFF
+    return f"{value:016x}"
+
+
+def measure(program, record, samples, patience):
+    """The points, the bidegree, and the median of so many runs, or of as many as fit in a time."""
+    data = program.read(record)
+    bidegree, points = program.compile(data)
+    times, begin = [], time.perf_counter()
+    gc.disable()
+    while len(times) < samples and (not times or time.perf_counter() - begin < patience):
+        start = time.perf_counter()
+        program.compile(data)
+        times.append(time.perf_counter() - start)
+    gc.enable()
+    return points, bidegree, statistics.median(times)
+
+
+def main():
+    arguments = argparse.ArgumentParser(description=__doc__)
+    arguments.add_argument("--program", choices=PROGRAMS, action="append")
+    arguments.add_argument("--set", default="W1")
+    arguments.add_argument("--data", type=Path, help="a file of records instead of a set")
+    arguments.add_argument("--samples", type=int, default=9)
+    arguments.add_argument("--patience", type=float, default=2.0, help="seconds for a case")
+    arguments.add_argument("--only", default="", help="only cases whose names contain this")
+    arguments.add_argument("--first", type=int, help="only so many cases")
+    arguments.add_argument("--greatest", type=int, help="only preimages up to this degree")
+    arguments.add_argument("--json", action="store_true", help="one JSON object a line")
+    arguments = arguments.parse_args()
+    data = arguments.data or WORKLOADS / f"{arguments.set}.json"
+    records = [own for own in json.loads(data.read_text())["cases"] if arguments.only in own["id"]]
+    different = 0
+    for record in records[: arguments.first]:
+        if record.get("field"):
+            sys.exit("numbers with square roots are beyond these programs")
+        if arguments.greatest is not None and record["m"] > arguments.greatest:
+            continue
+        for name in arguments.program or PROGRAMS:
+            run = measure(PROGRAMS[name], record, arguments.samples, arguments.patience)
+            points, bidegree, seconds = run
+            value, expected = fnv(points), record.get("expected", {}).get("hash")
+            different += expected not in (None, value)
+            line = {"program": name, "id": record["id"], "hash": value}
+            line |= {"agrees": expected and expected == value, "bidegree": bidegree}
+            line |= {"seconds": seconds}
+            if arguments.json:
+                print(json.dumps(line), flush=True)
+            else:
+                verdict = {True: "equal", False: "DIFFERENT", None: ""}[line["agrees"]]
+                print(f"{record['id']:<28} {name:<16} {value} {verdict:<9} {bidegree} {seconds * 1e6:.1f} µs")
+    if different:
+        sys.exit(f"{different} cases differ from what is expected")
+
+
+if __name__ == "__main__":
+    main()
