@@ -105,6 +105,9 @@ impl Surd {
             self.clone()
         };
         let exponent = exponent.unsigned_abs();
+        if exponent == 1 {
+            return Some(base);
+        }
         let bits = (0..u64::BITS - exponent.leading_zeros()).rev();
         Some(bits.fold(Self::one(), |power, bit| {
             let square = &power * &power;

@@ -194,6 +194,9 @@ impl<F: Field> UniPoly<F> {
         if factor.is_one() {
             return self.clone();
         }
+        if factor.is_zero() {
+            return Self::zero();
+        }
         let (numerator, denominator) = factor.parts();
         let scaled = self.numerators.iter().map(|own| own.times(&numerator));
         Self::from_numerators(scaled.collect(), &self.denominator * denominator)
@@ -477,6 +480,11 @@ impl<F: Field> UniPoly<F> {
 impl<F: Field> Add for &UniPoly<F> {
     type Output = UniPoly<F>;
     fn add(self, other: Self) -> UniPoly<F> {
+        match (self.is_zero(), other.is_zero()) {
+            (true, _) => return other.clone(),
+            (_, true) => return self.clone(),
+            _ => {}
+        }
         self.combine(other, Ring::plus)
     }
 }
@@ -484,6 +492,9 @@ impl<F: Field> Add for &UniPoly<F> {
 impl<F: Field> Sub for &UniPoly<F> {
     type Output = UniPoly<F>;
     fn sub(self, other: Self) -> UniPoly<F> {
+        if other.is_zero() {
+            return self.clone();
+        }
         self.combine(other, Ring::minus)
     }
 }
