@@ -68,7 +68,7 @@ def compile(data):
     if not common.is_constant():
         coordinates = [own // common for own in coordinates]
     degrees = [own.degrees() for own in coordinates if own]
-    du, dv = max(own[0] for own in degrees), max(own[1] for own in degrees)
+    du, dv = (int(max(own[k] for own in degrees)) for k in (0, 1))
     rows, columns = conversion(du), conversion(dv).transpose()
     nets = []
     for own in coordinates:
