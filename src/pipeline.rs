@@ -38,6 +38,9 @@ pub struct Options {
     pub step_schema: StepSchema,
     /// Whether surfaces in IGES are trimmed by their boundary curves.
     pub iges_trimmed: bool,
+    /// The greatest distance between a surface and its triangles; none for a thousandth of the
+    /// size.
+    pub chord: Option<Real>,
 }
 
 /// A step of a compilation that is done.
@@ -274,6 +277,8 @@ impl Compilation {
         Context {
             unit: self.unit,
             any_weight_ratio: options.any_weight_ratio,
+            chord: options.chord.clone(),
+            limits: options.limits,
             view: options.view.clone(),
             report: shown.then(|| self.report_in(context.stem, &|_| 0)),
             step_schema: options.step_schema,

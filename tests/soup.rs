@@ -26,6 +26,7 @@ fn limits() -> Limits {
         terms: 24,
         bits: 500,
         field_degree: 4,
+        triangles: 200,
         ..Limits::default()
     }
 }
@@ -34,6 +35,7 @@ fn limits() -> Limits {
 fn swallow(text: &str) -> usize {
     let options = Options {
         limits: limits(),
+        chord: Some(sweepc::number::Real::from(1)),
         ..Options::default()
     };
     let (mut sources, mut findings) = (SourceMap::default(), Diagnostics::default());

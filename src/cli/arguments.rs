@@ -6,6 +6,7 @@ use clap_complete::Shell;
 
 use crate::diag::Limits;
 use crate::export::{StepSchema, View};
+use crate::number::{Field, Real};
 
 use super::watch::Budget;
 
@@ -98,8 +99,8 @@ pub(super) struct CompileArguments {
     /// Where to write; beside the file if it is left out
     #[arg(short, long, value_name = "DIR")]
     pub(super) output: Option<PathBuf>,
-    /// What to write: a comma-separated list of `report`, `table`, `json`, `step`, `iges`, `3dm`, `geomdl`,
-    /// `three`, `verb`, `truck`, `obj`, `svg`, `html`
+    /// What to write: a comma-separated list of `report`, `table`, `json`, `step`, `iges`, `3dm`,
+    /// `geomdl`, `three`, `verb`, `truck`, `obj`, `mesh`, `ply`, `stl`, `glb`, `svg`, `html`
     #[arg(
         long,
         value_delimiter = ',',
@@ -125,6 +126,11 @@ pub(super) struct CompileArguments {
     /// Trim the surfaces of `iges` by their boundary curves
     #[arg(long)]
     pub(super) iges_trimmed: bool,
+    /// The greatest distance between a surface and the triangles of `mesh`, `ply`, `stl` and
+    /// `glb`, exactly and in the file's unit: 1/100, 0.01; a thousandth of the size if it is left
+    /// out
+    #[arg(long, value_name = "TOLERANCE", value_parser = positive)]
+    pub(super) chord: Option<Real>,
 }
 
 #[derive(Debug, Args)]
@@ -201,6 +207,13 @@ pub(super) enum ReportFormat {
     Markdown,
 }
 
+/// An exact number above 0.
+fn positive(text: &str) -> Result<Real, &'static str> {
+    let number = text.trim().parse::<Real>().ok();
+    let positive = number.filter(|own| own.sign().is_gt());
+    positive.ok_or("not an exact number above 0 such as 1/100 or 0.01")
+}
+
 #[derive(Debug, Clone, Copy, Args)]
 #[command(next_help_heading = "Limits")]
 struct LimitArguments {
@@ -228,6 +241,9 @@ struct LimitArguments {
     /// Degree of the number field
     #[arg(long, value_name = "DEGREE", global = true, default_value_t = Limits::default().field_degree)]
     max_field_degree: usize,
+    /// Triangles of a mesh
+    #[arg(long, value_name = "TRIANGLES", global = true, default_value_t = Limits::default().triangles)]
+    max_triangles: usize,
     /// Imported files
     #[arg(long, value_name = "FILES", global = true, default_value_t = Limits::default().imports)]
     max_imports: usize,
@@ -270,6 +286,7 @@ impl Arguments {
             terms: given.max_terms,
             bits: given.max_bits,
             field_degree: given.max_field_degree,
+            triangles: given.max_triangles,
             imports: given.max_imports,
             variants: given.max_variants,
             ..Limits::default()

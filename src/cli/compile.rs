@@ -118,6 +118,7 @@ pub(super) fn complete(options: &mut Options, own: &CompileArguments) {
     options.view = own.view.clone();
     options.step_schema = own.step_schema.into();
     options.iges_trimmed = own.iges_trimmed;
+    options.chord.clone_from(&own.chord);
 }
 
 /// The folder asked for, or that of the file; for standard input the working directory.

@@ -92,6 +92,7 @@ codes! {
     E0305 "a degree that the format cannot carry",
     E0306 "a number outside the range of doubles",
     E0307 "the unit normal is not rational",
+    E0308 "a mesh that the numbers of the format do not resolve",
     // expectations
     E0401 "an expectation that fails",
     E0402 "an expectation that is undecided",
@@ -106,6 +107,7 @@ codes! {
     E0508 "a run that takes too much time or memory",
     E0509 "a field of too large a degree",
     E0510 "too many variants",
+    E0511 "too many triangles",
     // files
     E0601 "a file that cannot be read",
     E0602 "a file that cannot be written",

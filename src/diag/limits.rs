@@ -17,6 +17,8 @@ pub struct Limits {
     pub bits: u64,
     /// Degree over the rationals of the field of all numbers (`--max-field-degree`).
     pub field_degree: usize,
+    /// Triangles of a mesh (`--max-triangles`).
+    pub triangles: usize,
     /// Imported files (`--max-imports`).
     pub imports: usize,
     /// Variants of a run (`--max-variants`).
@@ -36,6 +38,7 @@ impl Default for Limits {
             terms: 1_000_000,
             bits: 1_000_000,
             field_degree: 64,
+            triangles: 1_000_000,
             imports: 256,
             variants: 100_000,
             syntax_errors: 50,

@@ -6,14 +6,48 @@
 use crate::number::{Field, Integer, Rational, Real, Ring};
 
 /// The bits of a double below its exponent.
-const FRACTION_BITS: i64 = 52;
+const FRACTION_BITS: i64 = Precision::Double.fraction_bits();
 /// Every double is an integer times 2⁻¹⁰⁷⁴.
-const LEAST_EXPONENT: i64 = -1_074;
-/// Doubles are less than 2¹⁰²⁴.
-const EXPONENT_BOUND: i64 = 1_024;
+const LEAST_EXPONENT: i64 = Precision::Double.least_exponent();
+
+/// A binary format of IEEE 754.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Precision {
+    /// 32 bits; every such number is a [`Double`] too.
+    Single,
+    /// 64 bits.
+    Double,
+}
+
+impl Precision {
+    /// The bits below the exponent.
+    #[must_use]
+    pub const fn fraction_bits(self) -> i64 {
+        match self {
+            Self::Single => 23,
+            Self::Double => 52,
+        }
+    }
+
+    /// Every number is an integer times 2 to this power.
+    const fn least_exponent(self) -> i64 {
+        match self {
+            Self::Single => -149,
+            Self::Double => -1_074,
+        }
+    }
+
+    /// Every number is less than 2 to this power.
+    const fn exponent_bound(self) -> i64 {
+        match self {
+            Self::Single => 128,
+            Self::Double => 1_024,
+        }
+    }
+}
 
 /// An IEEE 754 double that is a number: neither infinite nor −0.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Double {
     bits: u64,
 }
@@ -27,9 +61,20 @@ impl Double {
     /// - **holds** |q − d| ≤ |q − e| for every double e
     #[must_use]
     pub fn nearest(exact: &Real) -> Option<Self> {
+        Self::nearest_in(Precision::Double, exact)
+    }
+
+    /// The number of a format nearest to a number, of two the one with an even last bit; none
+    /// beyond the last one by half a step.
+    #[must_use]
+    pub fn nearest_in(precision: Precision, exact: &Real) -> Option<Self> {
         // An irrational number is no tie, so its narrow enclosures round to one double; beyond
         // the doubles there are two ends.
-        let nearest = |own: &Rational| Self::nearest_to_rational(own).ok_or(Field::sign(own));
+        let nearest = |own: &Rational| {
+            let (numerator, denominator) = (own.numerator(), own.denominator());
+            let nearest = Self::nearest_to_quotient(precision, numerator, denominator);
+            nearest.ok_or(Field::sign(own))
+        };
         exact.decide(nearest).ok()
     }
 
@@ -44,7 +89,9 @@ impl Double {
             return Some(Self { bits: 0 });
         }
         let leading = match (numerator.as_integer(), divisor.as_integer()) {
-            (Some(numerator), Some(divisor)) => Self::by_leading_digits(numerator, divisor),
+            (Some(numerator), Some(divisor)) => {
+                Self::by_leading_digits(Precision::Double, numerator, divisor)
+            }
             _ => None,
         };
         leading.or_else(|| {
@@ -54,65 +101,118 @@ impl Double {
         })
     }
 
-    /// The double nearest to n/d; none where the leading digits do not tell, or where it is not
-    /// normal.
+    /// The number of a format nearest to n/d; none where the leading digits do not tell, or where
+    /// it is not normal.
     ///
     /// Let |n| = (a + ε) 2ʲ and |d| = (b + δ) 2ᵏ with 128 digits a and b, and let a′ = ⌊a/2⌋ and
     /// b′ = ⌊b/2⁶⁴⌋ ≥ 2⁶³. Then |n/d| = r 2ᵉ with e = j − k − 63 and a′/(b′ + 1) < r < (a′ + 1)/b′.
     /// For q = ⌊a′/b′⌋ < 2⁶⁴ the right side is at most q + 1, and the left one more than q − 2, as
     /// a′/b′ − a′/(b′ + 1) = (a′/b′)/(b′ + 1) < 2. So r rounds as every number of (q − 2, q + 1)
-    /// does, unless that holds a point half way between doubles.
-    fn by_leading_digits(numerator: &Integer, divisor: &Integer) -> Option<Self> {
+    /// does, unless that holds a point half way between numbers of the format.
+    fn by_leading_digits(
+        precision: Precision,
+        numerator: &Integer,
+        divisor: &Integer,
+    ) -> Option<Self> {
         let ((a, j), (b, k)) = (numerator.leading(), divisor.leading());
         let quotient = u64::try_from((a >> 1) / (b >> 64)).ok()?;
-        let dropped = u64::BITS - quotient.leading_zeros() - 53;
+        let digits = u32::try_from(precision.fraction_bits() + 1).ok()?;
+        let dropped = u64::BITS - quotient.leading_zeros() - digits;
         let rest = quotient & ((1 << dropped) - 1);
         let half = 1 << (dropped - 1);
         if (half - 1..=half + 2).contains(&rest) {
             return None;
         }
         let mantissa = (quotient >> dropped) + u64::from(rest > half);
-        // The least digit of the mantissa counts 2^step; a carry moves on to the next binade.
+        // The least digit of the mantissa counts 2^step.
         let step = j.checked_sub(k)? - 63 + i64::from(dropped);
-        let binade = step - LEAST_EXPONENT;
-        if !(1..2_000).contains(&binade) {
+        let top = step + i64::from(digits);
+        if step < precision.least_exponent() || top >= precision.exponent_bound() {
             return None;
         }
-        let binade = u64::try_from(binade).ok()? << FRACTION_BITS;
         let negative = Ring::sign(numerator) != Ring::sign(divisor);
-        Some(Self {
-            bits: (binade + mantissa) | (u64::from(negative) << 63),
-        })
+        Some(Self::of_parts(negative, mantissa, step))
     }
 
-    fn nearest_to_rational(exact: &Rational) -> Option<Self> {
-        let (sign, numerator, denominator) = sign_and_parts(exact);
-        if Ring::is_zero(&numerator) {
+    /// The number of a format nearest to n/d with d > 0, as [`Double::nearest_in`]; n and d may
+    /// have a common factor.
+    #[must_use]
+    pub fn nearest_to_quotient(
+        precision: Precision,
+        numerator: &Integer,
+        denominator: &Integer,
+    ) -> Option<Self> {
+        let negative = Ring::sign(numerator).is_lt();
+        if Ring::is_zero(numerator) {
             return Some(Self { bits: 0 });
         }
-        let (above, below) = (length(&numerator), length(&denominator));
-        if above - below > EXPONENT_BOUND {
+        let leading = Self::by_leading_digits(precision, numerator, denominator);
+        if leading.is_some() {
+            return leading;
+        }
+        let numerator = numerator.abs();
+        let (above, below) = (length(&numerator), length(denominator));
+        if above - below > precision.exponent_bound() {
             return None;
         }
         // 2^top ≤ |q| < 2^(top + 1), and the mantissa counts steps of 2^step.
         let trial = above - below;
-        let (left, right) = shifted(&numerator, &denominator, trial);
+        let (left, right) = shifted(&numerator, denominator, trial);
         let top = if left < right { trial - 1 } else { trial };
-        let step = (top - FRACTION_BITS).max(LEAST_EXPONENT);
-        let (dividend, divisor) = shifted(&numerator, &denominator, step);
+        let step = (top - precision.fraction_bits()).max(precision.least_exponent());
+        let (dividend, divisor) = shifted(&numerator, denominator, step);
         let quotient = &dividend / &divisor;
         let twice = (dividend - &quotient * &divisor) * 2_u8;
         let mantissa = u64::try_from(quotient).ok()?;
         let up = twice > divisor || (twice == divisor && mantissa & 1 == 1);
-        // The exponent is added to the mantissa with its leading bit, so that a carry moves on
-        // to the next binade by itself.
-        let binade = u64::try_from(step - LEAST_EXPONENT).ok()? << FRACTION_BITS;
-        let bits = binade + mantissa + u64::from(up);
-        if bits >= f64::INFINITY.to_bits() {
+        let mantissa = mantissa + u64::from(up);
+        let bits = i64::from(u64::BITS - mantissa.leading_zeros());
+        if bits + step > precision.exponent_bound() {
             return None;
         }
-        let sign = u64::from(sign && bits != 0) << 63;
-        Some(Self { bits: bits | sign })
+        Some(Self::of_parts(negative, mantissa, step))
+    }
+
+    /// The number of a format nearest to √(p/q) or, if it is to be negative, to −√(p/q); p ≥ 0,
+    /// q > 0.
+    ///
+    /// With t ≤ 2^e √(p/q) < t + 1 for an integer t of at least 64 digits, every number of the
+    /// format near the root, and every middle between two of them, is a multiple of 2^−e. So none
+    /// lies strictly between t and t + 1, and t + ½ rounds as the root does unless t² = 4^e p/q.
+    /// For t the integral part of the quotient will do: ⌊√x⌋ = ⌊√⌊x⌋⌋.
+    #[must_use]
+    pub fn nearest_to_root(
+        precision: Precision,
+        negative: bool,
+        square: (&Integer, &Integer),
+    ) -> Option<Self> {
+        let (above, below) = square;
+        let digits = length(above) - length(below);
+        let exponent = (2 * 65 - digits).div_euclid(2) + 1;
+        let (dividend, divisor) = shifted(above, below, -2 * exponent);
+        let root = (&dividend / &divisor).sqrt();
+        let is_exact = &root * &root * &divisor == dividend;
+        let twice = root * 2_u8 + u8::from(!is_exact);
+        let twice = if negative { -twice } else { twice };
+        let (numerator, denominator) = shifted(&twice, &Integer::from(1), exponent + 1);
+        Self::nearest_to_quotient(precision, &numerator, &denominator)
+    }
+
+    /// ± m · 2^step, which is a double.
+    fn of_parts(negative: bool, mantissa: u64, step: i64) -> Self {
+        let digits = i64::from(u64::BITS - mantissa.leading_zeros());
+        let shift = (FRACTION_BITS + 1 - digits).min(step - LEAST_EXPONENT);
+        // A carry has left a zero below.
+        let mantissa = if shift < 0 {
+            mantissa >> shift.unsigned_abs()
+        } else {
+            mantissa << shift.unsigned_abs()
+        };
+        // The exponent is added to the mantissa with its leading bit.
+        let binade = (step - shift - LEAST_EXPONENT).unsigned_abs() << FRACTION_BITS;
+        let bits = if mantissa == 0 { 0 } else { binade + mantissa };
+        let sign = u64::from(negative && bits != 0) << 63;
+        Self { bits: bits | sign }
     }
 
     /// The number that it is.
@@ -124,24 +224,49 @@ impl Double {
     /// The number that it is, as a rational one.
     #[must_use]
     pub fn rational(self) -> Rational {
+        let (mantissa, step) = self.parts();
+        let (numerator, denominator) = shifted(&mantissa, &Integer::from(1), -step);
+        Rational::new(numerator, denominator)
+    }
+
+    /// m and s with the number m · 2^s; m has the sign.
+    #[must_use]
+    pub fn parts(self) -> (Integer, i64) {
         let biased = i64::try_from(self.bits << 1 >> (FRACTION_BITS + 1)).unwrap_or_default();
         let fraction = self.bits & ((1 << FRACTION_BITS) - 1);
         let leading = u64::from(biased > 0) << FRACTION_BITS;
-        let step = biased.max(1) - 1 + LEAST_EXPONENT;
         let mantissa = Integer::from(fraction | leading);
         let mantissa = if self.bits >> 63 == 1 {
             -mantissa
         } else {
             mantissa
         };
-        let (numerator, denominator) = shifted(&mantissa, &Integer::from(1), -step);
-        Rational::new(numerator, denominator)
+        (mantissa, biased.max(1) - 1 + LEAST_EXPONENT)
+    }
+
+    /// The bytes of the number, the lowest first: four in the format of 32 bits, which holds it
+    /// if it was rounded so, or eight.
+    #[must_use]
+    pub fn bytes(self, precision: Precision) -> Vec<u8> {
+        match precision {
+            Precision::Single => (self.value() as f32).to_le_bytes().to_vec(),
+            Precision::Double => self.value().to_le_bytes().to_vec(),
+        }
     }
 
     /// The double itself.
     #[must_use]
     pub fn value(self) -> f64 {
         f64::from_bits(self.bits)
+    }
+
+    /// The number of the other sign.
+    #[must_use]
+    pub fn negated(self) -> Self {
+        let sign = u64::from(self.bits != 0) << 63;
+        Self {
+            bits: self.bits ^ sign,
+        }
     }
 
     /// Whether it is 0.
@@ -187,22 +312,14 @@ pub(super) fn magnitude(exact: &Real) -> String {
 }
 
 fn magnitude_of_rational(exact: &Rational) -> String {
-    let (_, numerator, denominator) = sign_and_parts(exact);
+    let (numerator, denominator) = (exact.numerator().abs(), exact.denominator());
     let digits = |quotient: Integer| quotient.to_string().len() - 1;
-    if numerator >= denominator {
-        return format!("1e{}", digits(numerator / denominator));
+    if numerator >= *denominator {
+        return format!("1e{}", digits(&numerator / denominator));
     }
     // 10⁻ᵏ ≤ n/d exactly if d/n ≤ 10ᵏ, so k counts the digits of ⌈d/n⌉ − 1.
     let below = (denominator - 1_u8) / numerator;
     format!("1e-{}", digits(below) + 1)
-}
-
-/// Whether it is negative, and the absolute value as a quotient of integers.
-fn sign_and_parts(exact: &Rational) -> (bool, Integer, Integer) {
-    let (numerator, denominator) = exact.parts();
-    let negative = Ring::sign(&numerator).is_lt();
-    let numerator = if negative { -numerator } else { numerator };
-    (negative, numerator, denominator)
 }
 
 /// n and d with n/d divided by 2^exponent.

@@ -1,4 +1,5 @@
-use crate::number::Unit;
+use crate::diag::Limits;
+use crate::number::{Real, Unit};
 use crate::report::Report;
 
 use super::{Guide, StepSchema, View};
@@ -25,6 +26,11 @@ pub struct Context<'a> {
     pub step_schema: StepSchema,
     /// Whether surfaces in IGES are trimmed by their boundary curves.
     pub iges_trimmed: bool,
+    /// The greatest distance between a surface and its triangles; none for a thousandth of the
+    /// model's size.
+    pub chord: Option<Real>,
+    /// What files may ask for.
+    pub limits: Limits,
 }
 
 impl<'a> Context<'a> {
@@ -53,6 +59,8 @@ impl<'a> Context<'a> {
             report: None,
             step_schema: StepSchema::default(),
             iges_trimmed: false,
+            chord: None,
+            limits: Limits::default(),
         }
     }
 

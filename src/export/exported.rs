@@ -27,8 +27,8 @@ pub enum Fidelity {
     },
     /// Replaced by triangles.
     Tessellated {
-        /// No point of the triangles is farther from the surface than this, in the unit of
-        /// length.
+        /// No point of the surface is farther from the triangles than this, and no point of the
+        /// triangles farther from the surface; a proved bound in the unit of length.
         chord_error: Real,
     },
     /// Drawn for the eye.

@@ -9,18 +9,23 @@ mod context;
 mod exported;
 mod fault;
 mod geomdl;
+mod glb;
 mod guide;
 mod iges;
 mod json;
 mod layout;
+mod mesh_obj;
 mod obj;
 mod opennurbs;
 mod picture;
+mod ply;
 mod premultiplied_net;
 mod refusal;
 mod rounded_net;
 mod rounding;
 mod step;
+mod stl;
+mod tessellate;
 mod three;
 mod truck;
 mod verb;
@@ -29,7 +34,7 @@ mod written;
 use crate::diag::Code;
 use crate::net::{Model, Part};
 
-pub use approx::Double;
+pub use approx::{Double, Precision};
 pub use context::Context;
 pub use exported::{Exported, Fidelity};
 pub use fault::ExportFault;
@@ -38,6 +43,7 @@ pub use picture::View;
 pub use premultiplied_net::PremultipliedNet;
 pub use rounded_net::RoundedNet;
 pub use step::StepSchema;
+pub use tessellate::{Corner, Mesh, Subdivision, Triangle};
 
 /// A file format.
 #[derive(Clone, Copy, Debug)]
@@ -83,4 +89,8 @@ pub const ALL: &[Exporter] = &[
     picture::SVG,
     picture::HTML,
     obj::EXPORTER,
+    mesh_obj::EXPORTER,
+    ply::EXPORTER,
+    stl::EXPORTER,
+    glb::EXPORTER,
 ];

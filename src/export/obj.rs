@@ -77,6 +77,6 @@ fn surface(part: &Part, net: &RoundedNet, earlier: usize) -> String {
 }
 
 /// A name without white space.
-fn one_word(name: &str) -> String {
+pub(super) fn one_word(name: &str) -> String {
     name.split_whitespace().collect::<Vec<_>>().join("_")
 }

@@ -45,6 +45,18 @@ impl Readers {
         Ok(warning)
     }
 
+    /// Refuses what has no triangles.
+    ///
+    /// - **errors** a degree of 0 (E0305); no patches with positive weights (E0304)
+    pub(super) fn check_patches(&self, model: &Model) -> Result<(), ExportFault> {
+        for part in model.parts() {
+            self.check_degrees(part.net.degree())?;
+            let patches = part.patches();
+            patches.map_err(|reason| self.no_patches(part, reason))?;
+        }
+        Ok(())
+    }
+
     /// Refuses degrees that they drop.
     ///
     /// - **errors** a degree of 0 or above the greatest (E0305)

@@ -10,11 +10,13 @@
 mod archive;
 mod iges;
 mod laws;
+mod meshes;
 #[path = "../nets/mod.rs"]
 mod nets;
 mod objects;
 mod surface;
 mod text;
+mod triangles;
 
 use sweepc::export::{ALL, Context, ExportFault, Exported};
 use sweepc::net::{ControlNet, Model, Part};

@@ -18,7 +18,7 @@ const FLOORS: &[(&str, &[&str])] = &[
     ),
     (
         "export",
-        &["net", "report", "check", "number", "poly", "diag"],
+        &["net", "report", "check", "sweep", "number", "poly", "diag"],
     ),
     ("syntax", &["diag"]),
     ("sema", &["syntax", "sweep", "curve", "number", "diag"]),
