@@ -34,7 +34,10 @@ struct Arguments {
     /// Runs of each case, of which the median counts
     #[arg(long, default_value_t = 9)]
     samples: usize,
-    /// Only cases whose names contain this
+    /// Run each case once and only once, for counts of instructions
+    #[arg(long, conflicts_with = "samples")]
+    once: bool,
+    /// Only the case of this name, or else those whose names contain it
     #[arg(long, default_value = "")]
     only: String,
     /// Only so many cases
@@ -63,12 +66,19 @@ fn sweeps(arguments: &Arguments) -> Fallible<()> {
         Some(path) => read(path)?,
         None => HashMap::new(),
     };
-    let wanted = |own: &&Record| own.id.contains(&arguments.only);
+    let is_name = set.cases.iter().any(|own| own.id == arguments.only);
+    let wanted =
+        |own: &&Record| own.id == arguments.only || (!is_name && own.id.contains(&arguments.only));
+    let samples = if arguments.once {
+        0
+    } else {
+        arguments.samples.max(1)
+    };
     let records = set.cases.iter().filter(wanted);
     let mut summary = Summary::default();
     let mut different = 0;
     for record in records.take(arguments.first.unwrap_or(usize::MAX)) {
-        let case = Case::measure(record, arguments.samples.max(1));
+        let case = Case::measure(record, samples);
         let expected = record.expected.as_ref().or(expected.get(&record.id));
         summary.add(&record.id, record.m, case.total, case.without_lower);
         different += u32::from(case.agrees(expected) == Some(false));
@@ -100,7 +110,10 @@ impl Case {
     fn measure(record: &Record, samples: usize) -> Self {
         let parsed = Parsed::new(record);
         let outcome = parsed.compile();
-        let runs: Vec<_> = (0..samples).map(|_| parsed.compile().times).collect();
+        let mut runs: Vec<_> = (0..samples).map(|_| parsed.compile().times).collect();
+        if runs.is_empty() {
+            runs.push(outcome.times);
+        }
         let median = |time: &dyn Fn(&[Duration; STEPS.len()]) -> Duration| {
             let mut own: Vec<Duration> = runs.iter().map(time).collect();
             own.sort();

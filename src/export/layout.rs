@@ -77,5 +77,13 @@ pub(super) fn rows(items: Vec<String>, columns: usize) -> Layout {
 
 /// An array on one line.
 pub(super) fn array(items: impl Iterator<Item = String>) -> String {
-    format!("[{}]", items.collect::<Vec<_>>().join(", "))
+    let mut text = String::from("[");
+    for item in items {
+        if text.len() > 1 {
+            text.push_str(", ");
+        }
+        text.push_str(&item);
+    }
+    text.push(']');
+    text
 }

@@ -1,4 +1,4 @@
-use super::{Field, Generator, Integer, Rational, Surd, SurdInteger};
+use super::{Field, Generator, Integer, Rational, Ring, Surd, SurdInteger};
 
 /// The generators that occur in some numbers, with short names: r1, r2, … from the ground up.
 ///
@@ -85,6 +85,15 @@ impl Basis {
     /// `3/2 + 1/4*r1 - r1*r2`; `p` or `p/q` for a rational number.
     #[must_use]
     pub fn spell(&self, number: &Surd) -> String {
+        // Numbers are in lowest terms, and most are rational.
+        if let SurdInteger::Rational(own) = number.numerator() {
+            let denominator = number.denominator();
+            return if denominator.is_one() {
+                own.to_string()
+            } else {
+                format!("{own}/{denominator}")
+            };
+        }
         sum(number.numerator(), number.denominator(), &|own| {
             self.name(own)
         })

@@ -257,7 +257,11 @@ impl Ord for Integer {
 impl fmt::Display for Integer {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.0 {
-            Form::Machine(own) => fmt::Display::fmt(own, formatter),
+            // A word is spelled faster than two.
+            Form::Machine(own) => match i64::try_from(*own) {
+                Ok(word) => fmt::Display::fmt(&word, formatter),
+                Err(_) => fmt::Display::fmt(own, formatter),
+            },
             Form::Long(own) => fmt::Display::fmt(own, formatter),
         }
     }

@@ -1,6 +1,7 @@
 use std::collections::{BTreeSet, HashSet};
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::thread::JoinHandle;
 
 use crate::cli::arguments::CompileArguments;
 use crate::cli::compile::failed;
@@ -21,11 +22,15 @@ const GROUP: usize = 2_048;
 /// How many variants have their findings told; the table has the codes of all.
 const TOLD: usize = 10;
 
+type Settling = JoinHandle<Result<Vec<PathBuf>, (PathBuf, std::io::Error)>>;
+
 /// What a batch writes and tells, in the order of its variants.
 pub(super) struct Output {
     voice: Voice,
     table: Table,
     group: Staged,
+    /// The group before, on its way to the disk.
+    settling: Option<Settling>,
     /// The folders of results with the names that they are compared by.
     folders: Vec<(PathBuf, PathBuf)>,
     /// Files that are read and must not be written.
@@ -82,6 +87,7 @@ impl Output {
             read: read.chain(list).collect(),
             table: table.map_err(cannot)?,
             group: Staged::default(),
+            settling: None,
             told: 0,
             untold: 0,
             failures: 0,
@@ -173,16 +179,31 @@ impl Output {
         Ok(())
     }
 
+    /// Sends a group to the disk, once the one before is there.
     fn commit_group(&mut self) -> Result<(), Box<Diagnostic>> {
-        let written = std::mem::take(&mut self.group).commit();
-        written.map_err(|(path, error)| failed(&path, &error))?;
+        self.settle()?;
+        let group = std::mem::take(&mut self.group);
+        self.settling = Some(std::thread::spawn(|| group.commit()));
         Ok(())
+    }
+
+    /// Waits for the group on its way.
+    fn settle(&mut self) -> Result<(), Box<Diagnostic>> {
+        let ended = self.settling.take().map(Settling::join);
+        match ended {
+            None | Some(Ok(Ok(_))) => Ok(()),
+            Some(Ok(Err((path, error)))) => Err(failed(&path, &error)),
+            Some(Err(_)) => {
+                let error = std::io::Error::other("the work on it broke off");
+                Err(failed(Path::new("a group of files"), &error))
+            }
+        }
     }
 
     /// Writes the last group and the table, and says how many variants failed.
     pub(super) fn end(mut self, count: usize) -> Status {
         if self.failure.is_none() {
-            self.failure = self.commit_group().err();
+            self.failure = self.commit_group().and_then(|()| self.settle()).err();
         }
         if self.untold > 0 {
             let others = self.untold;
