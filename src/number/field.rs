@@ -31,6 +31,8 @@ pub trait Ring: Clone + PartialEq + Eq + Debug + Send + Sync + 'static {
     fn add(&mut self, other: &Self);
     /// a += b c
     fn add_product(&mut self, left: &Self, right: &Self);
+    /// The coefficients of the product of two polynomials that are not 0.
+    fn convolution(left: &[Self], right: &[Self]) -> Vec<Self>;
     /// −a
     #[must_use]
     fn negated(&self) -> Self;

@@ -4,7 +4,7 @@ use std::str::FromStr;
 
 use num_bigint::BigInt;
 
-use super::{Basis, Place, Ring};
+use super::{Basis, Place, Ring, convolution};
 
 /// A rational integer of any size.
 ///
@@ -348,6 +348,12 @@ impl Ring for Integer {
         } else {
             self.add_long(&(left * right));
         }
+    }
+
+    fn convolution(left: &[Self], right: &[Self]) -> Vec<Self> {
+        let lists = [left, right].map(|list| list.iter().collect::<Vec<_>>());
+        let packed = convolution::packed(&lists[0], &lists[1]);
+        packed.unwrap_or_else(|| convolution::one_by_one(left, right))
     }
 
     fn negated(&self) -> Self {

@@ -7,6 +7,7 @@
 mod basis;
 mod complex;
 mod conjugates;
+mod convolution;
 mod divisor;
 mod enclosure;
 mod field;

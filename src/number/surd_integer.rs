@@ -2,7 +2,7 @@ use std::cmp::Ordering;
 use std::fmt;
 
 use super::enclosure::refine;
-use super::{Basis, Enclosure, Generator, Integer, Place, Ring, gcd};
+use super::{Basis, Enclosure, Generator, Integer, Place, Ring, convolution, gcd};
 
 /// A numerator of a tower of real fields: an element of ℤ[√a₁, √a₂, …] with integral radicands.
 ///
@@ -281,6 +281,17 @@ impl Ring for SurdInteger {
         } else {
             self.accumulate(left.times(right));
         }
+    }
+
+    fn convolution(left: &[Self], right: &[Self]) -> Vec<Self> {
+        let rational = |list| <[Self]>::iter(list).map(Ring::as_integer).collect();
+        let lists: (Option<Vec<_>>, Option<Vec<_>>) = (rational(left), rational(right));
+        let packed = lists.0.zip(lists.1);
+        let packed = packed.and_then(|(left, right)| convolution::packed(&left, &right));
+        packed.map_or_else(
+            || convolution::one_by_one(left, right),
+            |own| own.into_iter().map(Self::Rational).collect(),
+        )
     }
 
     fn negated(&self) -> Self {

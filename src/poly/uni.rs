@@ -520,18 +520,7 @@ impl<F: Field> Mul for &UniPoly<F> {
             (_, true) => return self.clone(),
             _ => {}
         }
-        let length = self.numerators.len() + other.numerators.len() - 1;
-        let mut product = vec![F::Ring::zero(); length];
-        for (i, left) in self
-            .numerators
-            .iter()
-            .enumerate()
-            .filter(|(_, own)| !own.is_zero())
-        {
-            for (j, right) in other.numerators.iter().enumerate() {
-                product[i + j].add_product(left, right);
-            }
-        }
+        let product = F::Ring::convolution(&self.numerators, &other.numerators);
         UniPoly::from_numerators(product, &self.denominator * &other.denominator)
     }
 }
