@@ -394,17 +394,24 @@ fn top_degree<'a, F: Field>(
     terms: impl Iterator<Item = (&'a UniPoly<F>, &'a UniPoly<F>)> + Clone,
 ) -> Option<usize> {
     let high = terms.clone().filter_map(|(own, _)| own.degree()).max()?;
-    let mut leading = terms.clone().filter(|(own, _)| own.degree() == Some(high));
-    let (first, other) = (leading.next()?, leading.next());
-    let Some(other) = other else {
-        return Some(high);
+    let leading: Vec<_> = terms
+        .filter(|(own, _)| own.degree() == Some(high))
+        .collect();
+    // Its own highest coefficient is mostly enough.
+    let across = leading.iter().filter_map(|(_, other)| other.degree()).max();
+    let highest = leading.iter().filter(|(_, other)| other.degree() == across);
+    let lead = |(own, other): &(&UniPoly<F>, &UniPoly<F>)| {
+        own.leading_coefficient()
+            .times(&other.leading_coefficient())
     };
-    if leading.next().is_none() && first.1.degree() != other.1.degree() {
+    let corner = highest.map(lead).reduce(|sum, own| sum.plus(&own))?;
+    if !corner.is_zero() {
         return Some(high);
     }
-    let leading = terms.filter(|(own, _)| own.degree() == Some(high));
-    let scaled = |(own, other): (&UniPoly<F>, &UniPoly<F>)| other.scale(&own.leading_coefficient());
-    let scaled: Vec<_> = leading.map(scaled).collect();
+    let scaled = leading
+        .iter()
+        .map(|(own, other)| other.scale(&own.leading_coefficient()));
+    let scaled: Vec<_> = scaled.collect();
     let sum = UniPoly::sum(&scaled.iter().collect::<Vec<_>>());
     (!sum.is_zero()).then_some(high)
 }
