@@ -43,7 +43,7 @@ pub use picture::View;
 pub use premultiplied_net::PremultipliedNet;
 pub use rounded_net::RoundedNet;
 pub use step::StepSchema;
-pub use tessellate::{Corner, Mesh, Subdivision, Triangle};
+pub use tessellate::{Corner, Mesh, Samples, Subdivision, Triangle};
 
 /// A file format.
 #[derive(Clone, Copy, Debug)]

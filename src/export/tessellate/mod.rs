@@ -8,6 +8,7 @@ mod nearest;
 mod normal_field;
 mod outline;
 mod resolution;
+mod samples;
 mod shaded;
 mod strip;
 mod subdivision;
@@ -15,6 +16,7 @@ mod tensor;
 mod weld;
 
 pub use mesh::{Corner, Mesh, Triangle};
+pub use samples::Samples;
 pub use subdivision::Subdivision;
 
 pub(super) use facet::facet_normal;
