@@ -39,6 +39,55 @@ fn paper_size() {
     assert_eq!(agrees(text, usize::MAX), 5);
 }
 
+/// The sum that other programs found, to its last digit.
+#[test]
+fn a_million_points_with_normals() {
+    let set: Result<Set, _> = serde_json::from_str(include_str!("../benches/workloads/W1.json"));
+    let set = set.unwrap_or_else(|own| unreachable!("{own}"));
+    let net = Parsed::new(&set.cases[0]).compile().net;
+    let samples = sweepc::export::Samples::new(&net, [1_000, 1_000]);
+    let points = samples.map(|own| own.points()).unwrap_or_default();
+    assert_eq!(points.len(), 1_000_000);
+    let sum: f64 = points.iter().flatten().sum();
+    assert_eq!(format!("{sum:.5}"), "1461166.44418");
+}
+
+/// Points and normals in doubles are near the exact ones, at the ends and within.
+#[test]
+fn samples_are_near_exact_points() {
+    let set: Result<Set, _> = serde_json::from_str(include_str!("../benches/workloads/W1.json"));
+    let set = set.unwrap_or_else(|own| unreachable!("{own}"));
+    for record in &set.cases {
+        let net = Parsed::new(record).compile().net;
+        // more than one group of parameters along v, the last not full
+        let (rows, columns) = (5, 41);
+        let samples = sweepc::export::Samples::new(&net, [rows, columns]);
+        let points = samples.map(|own| own.points()).unwrap_or_default();
+        assert_eq!(points.len(), rows * columns);
+        let part = |index: usize, count: usize| {
+            let text = format!("{index}/{}", count - 1);
+            text.parse().unwrap_or_else(|()| unreachable!("{text}"))
+        };
+        for (index, sampled) in points.iter().enumerate() {
+            let (u, v) = (part(index / columns, rows), part(index % columns, columns));
+            let exact = net.de_casteljau(&u, &v);
+            let exact = exact.unwrap_or_else(|| unreachable!("{} has no poles", record.id));
+            for (own, exact) in sampled.iter().zip(&exact) {
+                let exact = sweepc::export::Double::nearest(exact).map(|own| own.value());
+                assert!(
+                    exact.is_some_and(|exact| (own - exact).abs() < 1e-12),
+                    "{}",
+                    record.id
+                );
+            }
+            let length: f64 = sampled[3..].iter().map(|own| own * own).sum();
+            // The conical sweep starts in a point, which has no normal.
+            let is_apex = record.id == "W1-conical" && index % columns == 0;
+            assert!(is_apex || (length - 1.0).abs() < 1e-12, "{}", record.id);
+        }
+    }
+}
+
 #[test]
 fn growing_degrees() {
     let text = include_str!("../benches/workloads/W2s.json");

@@ -6,6 +6,7 @@
     reason = "a program whose results are times"
 )]
 
+mod grid;
 mod record;
 mod summary;
 
@@ -16,13 +17,14 @@ use std::time::Duration;
 use clap::Parser;
 use serde_json::json;
 
+use grid::Grid;
 use record::{Expected, Outcome, Parsed, Record, STEPS, Set};
 use summary::Summary;
 
 /// Times the workloads, from the parsed text to the doubles.
 #[derive(Parser)]
 struct Arguments {
-    /// The set: W1, W2s, W2ds, W3, W5 (its first 1,000 cases), W6 or W7
+    /// The set: W1, W2s, W2ds, W3, W4 (a grid on a surface), W5 (its first 1,000 cases), W6 or W7
     #[arg(long, default_value = "W1")]
     set: String,
     /// A file of records instead of a set
@@ -54,7 +56,30 @@ struct Arguments {
 type Fallible<T> = Result<T, Box<dyn std::error::Error>>;
 
 fn main() -> Fallible<()> {
-    sweeps(&Arguments::parse())
+    let arguments = Arguments::parse();
+    if arguments.set == "W4" {
+        return grid(&arguments);
+    }
+    sweeps(&arguments)
+}
+
+/// Times the points and normals of the first surface of W1 on a grid.
+fn grid(arguments: &Arguments) -> Fallible<()> {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("benches/workloads");
+    let set: Set = read(&folder.join("W1.json"))?;
+    let record = set.cases.first().ok_or("W1 has no case")?;
+    let grid = Grid::measure(record, arguments.samples).ok_or("a number beyond the doubles")?;
+    let (sum, time) = (format!("{:.5}", grid.sum), micros(grid.time));
+    if arguments.json {
+        let line = json!({"id": "W4", "points": grid.points, "sum": sum, "total_us": time});
+        println!("{line}");
+    } else {
+        println!(
+            "W4 {} points with normals, sum {sum}, {time:.0} µs",
+            grid.points
+        );
+    }
+    Ok(())
 }
 
 /// Times the compilation of every record of a set.

@@ -180,6 +180,7 @@ pub(crate) struct Outcome {
     pub(crate) bidegree: [usize; 2],
     pub(crate) common_factor: [usize; 2],
     pub(crate) hash: String,
+    pub(crate) net: ControlNet,
     /// In the order of [`STEPS`].
     pub(crate) times: [Duration; STEPS.len()],
 }
@@ -273,6 +274,7 @@ impl Parsed {
             bidegree: pair(expansion.surface.bidegree()),
             common_factor: expansion.common_factor.bidegree().map_or([0, 0], pair),
             hash: hash(&rounded),
+            net,
             times: watch.times,
         }
     }

@@ -17,6 +17,9 @@ const WIDTH: usize = 32;
 /// (P_u − W_u R) × (P_v − W_v R). Bernstein polynomials are tabulated for every parameter; a row of
 /// equal u is contracted along u first, so that a point costs three sums along v.
 ///
+/// Where W is 0 the numbers are not finite; where the surface has no normal, those of the normal mean
+/// nothing.
+///
 /// - **cost** (4 · 3)(n + 1) products for a point, where n is the degree along v
 pub struct Samples {
     homogeneous: Vec<[f64; 4]>,
@@ -119,7 +122,7 @@ fn values(sums: &[[f64; WIDTH]; 12]) -> [[f64; WIDTH]; 6] {
 /// For each Bernstein polynomial its values at equal steps, and those of its derivative by the
 /// parameter of the unit interval; some more behind the last.
 fn transposed_tables(degree: usize, count: usize, more: usize) -> Vec<[Vec<f64>; 2]> {
-    let mut tables = vec![[vec![1.0; count + more], vec![1.0; count + more]]; degree + 1];
+    let mut tables = vec![[Vec::new(), Vec::new()]; degree + 1];
     for k in 0..count {
         let place = k as f64 / (count.max(2) - 1) as f64;
         let lower = if degree == 0 {
@@ -130,9 +133,12 @@ fn transposed_tables(degree: usize, count: usize, more: usize) -> Vec<[Vec<f64>;
         for (index, value) in basis(degree, place).into_iter().enumerate() {
             let at = |index: Option<usize>| index.and_then(|own| lower.get(own)).unwrap_or(&0.0);
             let rate = at(index.checked_sub(1)) - at(Some(index));
-            tables[index][0][k] = value;
-            tables[index][1][k] = degree as f64 * rate;
+            tables[index][0].push(value);
+            tables[index][1].push(degree as f64 * rate);
         }
+    }
+    for table in tables.iter_mut().flatten() {
+        table.resize(count + more, 1.0);
     }
     tables
 }
