@@ -7,26 +7,14 @@ from math import comb
 
 from sympy import QQ, ZZ, ring
 
-from separable_flint import rounded
+from separable_flint import read as parsed, rounded
 
 RATIONAL, U, V = ring("u,v", QQ)
 INTEGRAL = RATIONAL.clone(domain=ZZ)
 
 
 def read(record):
-    def numbers(own):
-        return [QQ(*map(int, number.split("/"))) for number in own]
-
-    return {
-        "kind": record["kind"],
-        "re": numbers(pair[0] for pair in record["w"]),
-        "im": numbers(pair[1] for pair in record["w"]),
-        "h": numbers(record["h"]),
-        "start": numbers(record["s0"]),
-        "profile": [numbers(record["profile"][name]) for name in "XZD"],
-        "d": numbers([record["d"]])[0],
-        "c": numbers([record["c"]])[0],
-    }
+    return parsed(record, QQ)
 
 
 def in_u(values):

@@ -12,9 +12,11 @@ from flint import fmpq, fmpq_poly, fmpz_mat, fmpz_poly
 ONE_AND_T = fmpz_poly([1, 1])
 
 
-def read(record):
+def read(record, rational=fmpq):
+    """The numbers of a record, as those of a library."""
+
     def numbers(own):
-        return [fmpq(*map(int, number.split("/"))) for number in own]
+        return [rational(*map(int, number.split("/"))) for number in own]
 
     return {
         "kind": record["kind"],
