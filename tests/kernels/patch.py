@@ -11,8 +11,10 @@ import net
 SHARES = [Fraction(own, 16) for own in (0, 1, 5, 8, 13, 16)]
 # A patch ends at shares of the domain with denominators up to this one.
 LARGEST_DENOMINATOR = 4096
-# Coordinates of points may differ by so many units in the last place of their range: what the
-# arithmetic of a kernel adds. Some lose a bit more at high degrees.
+# Coordinates of points may differ by so many units in the last place of their range: those of the
+# numbers in a file, evaluated exactly, and what the arithmetic of a kernel adds. Some kernels lose
+# a bit more at high degrees.
+FILE_ULPS = 2
 ULPS = 4
 MORE_ULPS = 8
 HIGH_DEGREE = 13
@@ -47,6 +49,7 @@ class Nets:
     def __init__(self, paths):
         self.nets = [net.Net(path) for path in paths]
         self.known = {}
+        self.lost = {}
 
     def numbers(self, index, rectangle, degree, kind):
         """The doubles of a patch of one net."""
@@ -61,6 +64,26 @@ class Nets:
         if key not in self.known:
             self.known[key] = self.nets[index].at(u, v)
         return self.known[key]
+
+    def of_file(self, index, rectangle, patch):
+        """How far the doubles of a patch are off at exact samples before a kernel computes, in
+        units of the last place of the range."""
+        products = patch.premultiplied is not None
+        key = (index, rectangle, patch.degree, products)
+        if key not in self.lost:
+            if products:
+                numbers = self.numbers(index, rectangle, patch.degree, net.premultiplied)
+                points = [[list(map(Fraction, own[3:] + own[:3])) for own in row] for row in numbers]
+            else:
+                numbers = self.numbers(index, rectangle, patch.degree, net.affine)
+                points = [list(map(homogeneous, *row)) for row in zip(*numbers)]
+            self.lost[key] = max(
+                abs(own - Fraction(exact)) / Fraction(self.unit(index))
+                for u in SHARES
+                for v in SHARES
+                for own, exact in zip(value(points, u, v), self.at(index, *within(rectangle, u, v)))
+            )
+        return float(self.lost[key])
 
     def unit(self, index):
         """The unit in the last place of the range of the coordinates of one net."""
@@ -84,6 +107,8 @@ def check(nets, patches):
         index, rectangle = owner(nets, patch)
         (u0, u1), (v0, v1) = rectangle
         covered[index] += (u1 - u0) * (v1 - v0)
+        lost = nets.of_file(index, rectangle, patch)
+        assert lost <= FILE_ULPS, f"the file is off by {lost} units in the last place"
         worst = deviation(nets, index, rectangle, patch)
         assert worst <= patch.allowed(), f"a point is off by {worst} units in the last place"
         largest = max(largest, worst)
@@ -144,14 +169,35 @@ def first_difference(what, read, expected):
     return None
 
 
+def within(rectangle, u, v):
+    """The place of two shares of a rectangle."""
+    return [start + share * (end - start) for share, (start, end) in zip((u, v), rectangle)]
+
+
+def homogeneous(weight, point):
+    """(w, wx, wy, wz), exactly."""
+    weight = Fraction(weight)
+    return [weight] + [weight * Fraction(own) for own in point]
+
+
+def value(points, u, v):
+    """The point of homogeneous points (W, X, Y, Z) at two shares."""
+    shares = [net.bernstein(len(points) - 1, u), net.bernstein(len(points[0]) - 1, v)]
+    total = [Fraction(0)] * 4
+    for share, row in zip(shares[0], points):
+        for other, point in zip(shares[1], row):
+            total = [one + share * other * own for one, own in zip(total, point)]
+    weight, *point = total
+    return [own / weight for own in point]
+
+
 def deviation(nets, index, rectangle, patch):
     """How far points at exact samples are off, in units of the last place of their range."""
     unit = nets.unit(index)
     worst = 0
     for u in SHARES:
         for v in SHARES:
-            place = [start + share * (end - start) for share, (start, end) in zip((u, v), rectangle)]
-            expected = nets.at(index, *place)
+            expected = nets.at(index, *within(rectangle, u, v))
             knots = [tuple(map(Fraction, own)) for own in patch.domain]
             at = [start + share * (end - start) for share, (start, end) in zip((u, v), knots)]
             read = patch.evaluate(*map(float, at))
