@@ -81,21 +81,24 @@ impl Expanded {
             Self::InOne(own, quotient) if *own == parameter => Some(quotient.clone()),
             Self::InOne(..) => None,
             Self::InBoth(own) => {
-                let denominator = own.denominator();
-                let (across, along, numerator) = match parameter {
+                let (numerator, denominator) = (own.numerator(), own.denominator());
+                let degree = numerator.bidegree().unwrap_or_default();
+                let (across, along, other, alone) = match parameter {
                     Parameter::U => (
-                        denominator.in_v(),
+                        degree.v,
                         denominator.in_u(),
-                        own.numerator().at_v(&zero),
+                        denominator.in_v(),
+                        numerator.at_v(&zero),
                     ),
                     Parameter::V => (
-                        denominator.in_u(),
+                        degree.u,
                         denominator.in_v(),
-                        own.numerator().at_u(&zero),
+                        denominator.in_u(),
+                        numerator.at_u(&zero),
                     ),
                 };
-                let alone = across.is_constant() && denominator.is_separable();
-                alone.then(|| Quotient::new(&numerator, along))?
+                let fits = across == 0 && other.is_constant() && denominator.is_separable();
+                fits.then(|| Quotient::new(&alone, along))?
             }
         }
     }
@@ -229,5 +232,26 @@ impl Expanded {
             Self::Number(own) => Some(own.clone()),
             other => other.fraction().as_constant(),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_function_of_both_is_none_of_one() {
+        let [u, v] = [Parameter::U, Parameter::V].map(|own| Rc::new(Expanded::variable(own)));
+        let saddle = Rc::new(Expanded::product(&[Rc::clone(&u), Rc::clone(&v)]));
+        assert!(saddle.in_one(Parameter::U).is_none() && saddle.in_one(Parameter::V).is_none());
+        // u v / v is written with v in both parts; u v − u v + u is u.
+        let inverse = v.power(-1).map(Rc::new);
+        let quotient = inverse.map(|own| Expanded::product(&[Rc::clone(&saddle), own]));
+        assert!(quotient.is_some_and(|own| own.in_one(Parameter::U).is_none()));
+        let minus = Rc::new(Expanded::Number(Real::from(-1)));
+        let opposite = Rc::new(Expanded::product(&[minus, Rc::clone(&saddle)]));
+        let line = Expanded::sum(&[saddle, opposite, Rc::clone(&u)]);
+        assert_eq!(line.in_one(Parameter::U), u.in_one(Parameter::U));
+        assert!(line.in_one(Parameter::V).is_none());
     }
 }
