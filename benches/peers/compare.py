@@ -12,6 +12,8 @@ import sys
 from collections import defaultdict
 from pathlib import Path
 
+import flint_in_c
+
 HERE = Path(__file__).resolve().parent
 BENCH = ["cargo", "bench", "--quiet", "--bench", "workloads", "--"]
 
@@ -37,7 +39,7 @@ class Times:
         self.seconds[case][program] = min(known, seconds)
 
 
-def measured(name, arguments):
+def measured(name, arguments, in_c):
     times = Times()
     choice = ["--set", name, "--only", arguments.only, "--samples", str(arguments.samples)]
     if arguments.first is not None:
@@ -56,14 +58,31 @@ def measured(name, arguments):
                 times.add(own["id"], "sweepc", own["total_us"] / 1e6, own["hash"])
                 algebra = own["without_lower_us"] / 1e6
                 times.add(own["id"], "without lower", algebra, own["hash"])
-        for own in lines([*peers, *flint]) + lines([*peers, *sympy]):
+        for own in lines([*peers, *flint, *in_c]) + lines([*peers, *sympy]):
             times.add(own["id"], own["program"], own["seconds"], own["hash"])
     for own in times.seconds.values():
         own["flint"] = min(own["flint-separable"], own["flint-bivariate"])
     return times.seconds
 
 
-PEERS = ["flint", "flint-separable", "flint-bivariate", "sympy-ring"]
+PEERS = {
+    "flint": "flint",
+    "flint-separable": "flint-separable",
+    "flint-bivariate": "flint-bivariate",
+    "c-separable": "FLINT in C, one parameter",
+    "c-bivariate": "FLINT in C, u and v",
+    "sympy-ring": "sympy-ring",
+}
+
+
+def programs_in_c():
+    """The arguments for the programs in C, or none with the reason told."""
+    try:
+        flint_in_c.build()
+    except flint_in_c.Absent as reason:
+        print(f"FLINT in C is left out: {reason}", file=sys.stderr)
+        return []
+    return ["--program", "c-separable", "--program", "c-bivariate"]
 
 
 def mean(values):
@@ -73,7 +92,7 @@ def mean(values):
 def report(name, seconds, quiet):
     """The ratios, for each peer with and without the reading of the text's tree."""
     print(f"{name}: time of a peer / time of sweepc (and without `lower`)")
-    print(f"{'':<28}" + "".join(f"{peer:>22}" for peer in PEERS))
+    print(f"{'':<28}" + "".join(f"{title:>26}" for title in PEERS.values()))
     ratios = {peer: ([], []) for peer in PEERS}
     for case, own in seconds.items():
         cells = []
@@ -83,12 +102,12 @@ def report(name, seconds, quiet):
                 values.append(ratio)
             cells.append("{:.2f} ({:.2f})".format(*pair) if pair else "–")
         if not quiet:
-            print(f"{case:<28}" + "".join(f"{cell:>22}" for cell in cells))
+            print(f"{case:<28}" + "".join(f"{cell:>26}" for cell in cells))
     means = {peer: [mean(values) for values in own] for peer, own in ratios.items()}
     cells = ["{:.2f} ({:.2f})".format(*own) if ratios[peer][0] else "–" for peer, own in means.items()]
-    print(f"{f'geometric mean of {len(seconds)}':<28}" + "".join(f"{cell:>22}" for cell in cells))
-    counts = ", ".join(f"{peer} {len(own[0])}" for peer, own in ratios.items())
-    print(f"cases: {counts}; all doubles equal\n", flush=True)
+    print(f"{f'geometric mean of {len(seconds)}':<28}" + "".join(f"{cell:>26}" for cell in cells))
+    counts = "; ".join(f"{PEERS[peer]} {len(own[0])}" for peer, own in ratios.items())
+    print(f"cases: {counts}. All doubles equal\n", flush=True)
 
 
 def main():
@@ -104,8 +123,9 @@ def main():
     arguments.add_argument("--quiet", action="store_true", help="only the geometric means")
     arguments = arguments.parse_args()
     subprocess.run([*BENCH[:-1], "--no-run"], cwd=HERE.parent.parent, check=True)
+    in_c = programs_in_c()
     for name in arguments.set or ["W1", "W2s", "W3"]:
-        report(name, measured(name, arguments), arguments.quiet)
+        report(name, measured(name, arguments, in_c), arguments.quiet)
 
 
 if __name__ == "__main__":

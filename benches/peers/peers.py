@@ -1,4 +1,4 @@
-"""Times python-flint and sympy on the workloads: from rationals in memory to doubles in memory.
+"""Times python-flint, FLINT in C and sympy on the workloads: from rationals in memory to doubles in memory.
 
 The work is that of `cargo bench --bench workloads`: the curve from its preimage, the formula over a
 common denominator, the common factor out, the Bernstein net at the exact bidegree, and the doubles
@@ -12,10 +12,12 @@ import statistics
 import struct
 import sys
 import time
+from functools import partial
 from pathlib import Path
 
 import bivariate_flint
 import bivariate_sympy
+import flint_in_c
 import separable_flint
 
 PROGRAMS = {
@@ -23,6 +25,7 @@ PROGRAMS = {
     "flint-bivariate": bivariate_flint,
     "sympy-ring": bivariate_sympy,
 }
+IN_C = {"c-separable": "separable", "c-bivariate": "bivariate"}
 WORKLOADS = Path(__file__).resolve().parent.parent / "workloads"
 
 
@@ -35,7 +38,7 @@ def fnv(points):
 
 
 def measure(program, record, samples, patience):
-    """The points, the bidegree, and the median of so many runs, or of as many as fit in a time."""
+    """The hash, the bidegree, and the median of so many runs, or of as many as fit in a time."""
     data = program.read(record)
     bidegree, points = program.compile(data)
     times, begin = [], time.perf_counter()
@@ -45,12 +48,28 @@ def measure(program, record, samples, patience):
         program.compile(data)
         times.append(time.perf_counter() - start)
     gc.enable()
-    return points, bidegree, statistics.median(times)
+    return fnv(points), bidegree, statistics.median(times)
+
+
+def measures(names, samples, patience):
+    """The function of a record for each program; those in C that cannot be built are left out."""
+    made = {}
+    for name in names or [*PROGRAMS, *IN_C]:
+        if name in PROGRAMS:
+            made[name] = partial(measure, PROGRAMS[name], samples=samples, patience=patience)
+            continue
+        try:
+            made[name] = flint_in_c.Process(IN_C[name], samples, patience).measure
+        except flint_in_c.Absent as reason:
+            if names:
+                sys.exit(str(reason))
+            print(f"{name} is left out: {reason}", file=sys.stderr)
+    return made
 
 
 def main():
     arguments = argparse.ArgumentParser(description=__doc__)
-    arguments.add_argument("--program", choices=PROGRAMS, action="append")
+    arguments.add_argument("--program", choices=[*PROGRAMS, *IN_C], action="append")
     arguments.add_argument("--set", default="W1")
     arguments.add_argument("--data", type=Path, help="a file of records instead of a set")
     arguments.add_argument("--samples", type=int, default=9)
@@ -62,16 +81,16 @@ def main():
     arguments = arguments.parse_args()
     data = arguments.data or WORKLOADS / f"{arguments.set}.json"
     records = [own for own in json.loads(data.read_text())["cases"] if arguments.only in own["id"]]
+    programs = measures(arguments.program, arguments.samples, arguments.patience)
     different = 0
     for record in records[: arguments.first]:
         if record.get("field"):
             sys.exit("numbers with square roots are beyond these programs")
         if arguments.greatest is not None and record["m"] > arguments.greatest:
             continue
-        for name in arguments.program or PROGRAMS:
-            run = measure(PROGRAMS[name], record, arguments.samples, arguments.patience)
-            points, bidegree, seconds = run
-            value, expected = fnv(points), record.get("expected")
+        for name, program in programs.items():
+            value, bidegree, seconds = program(record)
+            expected = record.get("expected")
             agrees = expected and [value, [*bidegree]] == [expected["hash"], expected["bidegree"]]
             different += agrees is False
             line = {"program": name, "id": record["id"], "hash": value, "agrees": agrees}
