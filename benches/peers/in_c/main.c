@@ -129,9 +129,10 @@ static double median(program *compile, const sweep *own, slong samples, double p
 
 int main(int count, char **arguments)
 {
-    if (count != 4)
+    int generic = count == 4 && !strcmp(arguments[1], "bivariate");
+    if (count != 4 || (!generic && strcmp(arguments[1], "separable")))
         fail("usage: flint-in-c bivariate|separable SAMPLES SECONDS");
-    program *compile = strcmp(arguments[1], "bivariate") ? separable : bivariate;
+    program *compile = generic ? bivariate : separable;
     slong samples = FLINT_MAX(1, atol(arguments[2]));
     double patience = atof(arguments[3]);
     for (char *name; (name = word()); free(name)) {
