@@ -3,8 +3,8 @@
 #![allow(clippy::unwrap_used, missing_docs, reason = "tests state facts")]
 
 use proptest::prelude::*;
-use sweepc::export::Double;
-use sweepc::number::{Field, Integer, Real};
+use sweepc::export::{Double, Precision};
+use sweepc::number::{Field, Integer, Real, Tower};
 
 /// The number that a double is, from its decimal digits: 767 of them are always enough.
 fn decimal(value: f64) -> Real {
@@ -86,6 +86,45 @@ proptest! {
         let exact = Real::ratio(Integer::from(numerator), Integer::from(denominator));
         let exact = exact.times(&power_of_two(exponent));
         match Double::nearest(&exact) {
+            Some(double) => prop_assert!(is_nearest(&exact, double)),
+            None => prop_assert!(distance(&exact, &Real::from(0)) >= edge()),
+        }
+    }
+
+    #[test]
+    fn quotients_of_irrational_numbers_round_to_nearest(
+        parts in any::<[i64; 4]>(),
+        size in 0_u32..120,
+        exponent in -1_300_i64..1_200,
+    ) {
+        let tower = Tower::new(4);
+        let [two, three] = [2, 3].map(|own| tower.square_root(&Real::from(own)).unwrap());
+        let [a, b, c, d] = parts.map(|own| Real::from(Integer::from(own) << size));
+        let scale = power_of_two(exponent.abs());
+        let mut above = a.plus(&b.times(&two)).plus(&three.times(&c));
+        let mut below = d.plus(&two.times(&three));
+        if exponent < 0 {
+            below = below.times(&scale);
+        } else {
+            above = above.times(&scale);
+        }
+        let exact = above.times(&below.inverse().unwrap());
+        match Double::nearest_quotient(Precision::Double, above.numerator(), below.numerator()) {
+            Some(double) => prop_assert!(is_nearest(&exact, double)),
+            None => prop_assert!(distance(&exact, &Real::from(0)) >= edge()),
+        }
+    }
+
+    #[test]
+    fn ties_between_irrational_numbers_go_to_even(value in doubles(), hair in -1_i64..=1) {
+        let tie = decimal(value).plus(&neighbours(value)[1]).times(&power_of_two(-1));
+        let scale = power_of_two(1_200);
+        let root = Tower::new(2).square_root(&Real::from(2)).unwrap();
+        let below = scale.times(&root.minus(&Real::one()));
+        let above = tie.times(&below).plus(&Real::from(hair));
+        let exact = tie.plus(&Real::from(hair).times(&below.inverse().unwrap()));
+        let rounded = Double::nearest_quotient(Precision::Double, above.numerator(), below.numerator());
+        match rounded {
             Some(double) => prop_assert!(is_nearest(&exact, double)),
             None => prop_assert!(distance(&exact, &Real::from(0)) >= edge()),
         }

@@ -5,6 +5,8 @@
 
 use crate::number::{Field, Integer, Rational, Real, Ring};
 
+use super::bracket::Bracket;
+
 /// The bits of a double below its exponent.
 const FRACTION_BITS: i64 = Precision::Double.fraction_bits();
 /// Every double is an integer times 2⁻¹⁰⁷⁴.
@@ -68,73 +70,59 @@ impl Double {
     /// beyond the last one by half a step.
     #[must_use]
     pub fn nearest_in(precision: Precision, exact: &Real) -> Option<Self> {
-        // An irrational number is no tie, so its narrow enclosures round to one double; beyond
-        // the doubles there are two ends.
-        let nearest = |own: &Rational| {
-            let (numerator, denominator) = (own.numerator(), own.denominator());
-            let nearest = Self::nearest_to_quotient(precision, numerator, denominator);
-            nearest.ok_or(Field::sign(own))
-        };
-        exact.decide(nearest).ok()
+        let (numerator, denominator) = (exact.numerator(), exact.denominator());
+        Self::nearest_quotient(precision, numerator, &Ring::from_integer(denominator))
     }
 
-    /// The double nearest to n/d for numbers n and d ≠ 0 of a ring: as [`Double::nearest`], but
-    /// without dividing wherever the leading digits of n and d decide.
+    /// The number of a format nearest to n/d for numbers n and d ≠ 0 of a ring, as
+    /// [`Double::nearest_in`]: without dividing wherever the leading digits decide, or an exact
+    /// comparison with the one halfway point near them.
     #[must_use]
-    pub fn nearest_quotient<R: Ring>(numerator: &R, divisor: &R) -> Option<Self>
+    pub fn nearest_quotient<R: Ring>(
+        precision: Precision,
+        numerator: &R,
+        divisor: &R,
+    ) -> Option<Self>
     where
         Real: Field<Ring = R>,
     {
-        if numerator.is_zero() {
-            return Some(Self { bits: 0 });
+        if let (Some(numerator), Some(divisor)) = (numerator.as_integer(), divisor.as_integer()) {
+            return Self::nearest_to_quotient(precision, numerator, divisor);
         }
-        let leading = match (numerator.as_integer(), divisor.as_integer()) {
-            (Some(numerator), Some(divisor)) => {
-                Self::by_leading_digits(Precision::Double, numerator, divisor)
-            }
-            _ => None,
-        };
-        leading.or_else(|| {
+        let leading = || Bracket::of_leading(numerator.leading()?, divisor.leading()?);
+        let nearest = || Self::in_bracket(precision, leading()?, numerator, divisor);
+        nearest().or_else(|| {
             let whole = |own: &R| Real::from_parts(own.clone(), Integer::from(1));
-            let inverse = whole(divisor).inverse()?;
-            Self::nearest(&whole(numerator).times(&inverse))
+            let exact = whole(numerator).times(&whole(divisor).inverse()?);
+            // An irrational number is no tie, so its narrow enclosures round to one double; beyond
+            // the doubles there are two ends.
+            let nearest = |own: &Rational| {
+                let (numerator, denominator) = (own.numerator(), own.denominator());
+                let nearest = Self::nearest_to_quotient(precision, numerator, denominator);
+                nearest.ok_or(Field::sign(own))
+            };
+            exact.decide(nearest).ok()
         })
     }
 
-    /// The number of a format nearest to n/d; none where the leading digits do not tell, or where
-    /// it is not normal.
-    ///
-    /// Let |n| = (a + ε) 2ʲ and |d| = (b + δ) 2ᵏ with 128 digits a and b, and let a′ = ⌊a/2⌋ and
-    /// b′ = ⌊b/2⁶⁴⌋ ≥ 2⁶³. Then |n/d| = r 2ᵉ with e = j − k − 63 and a′/(b′ + 1) < r < (a′ + 1)/b′.
-    /// For q = ⌊a′/b′⌋ < 2⁶⁴ the right side is at most q + 1, and the left one more than q − 2, as
-    /// a′/b′ − a′/(b′ + 1) = (a′/b′)/(b′ + 1) < 2. So r rounds as every number of (q − 2, q + 1)
-    /// does, unless that holds a point half way between numbers of the format.
-    fn by_leading_digits(
+    /// The number of a format nearest to n/d, which is not 0; none where the bracket is too wide,
+    /// or where it is not normal.
+    fn in_bracket<R: Ring>(
         precision: Precision,
-        numerator: &Integer,
-        divisor: &Integer,
+        bracket: Bracket,
+        numerator: &R,
+        divisor: &R,
     ) -> Option<Self> {
-        let ((a, j), (b, k)) = (numerator.leading(), divisor.leading());
-        let quotient = u64::try_from((a >> 1) / (b >> 64)).ok()?;
-        let digits = u32::try_from(precision.fraction_bits() + 1).ok()?;
-        let dropped = u64::BITS - quotient.leading_zeros() - digits;
-        let rest = quotient & ((1 << dropped) - 1);
-        let half = 1 << (dropped - 1);
-        if (half - 1..=half + 2).contains(&rest) {
-            return None;
-        }
-        let mantissa = (quotient >> dropped) + u64::from(rest > half);
-        // The least digit of the mantissa counts 2^step.
-        let step = j.checked_sub(k)? - 63 + i64::from(dropped);
-        let top = step + i64::from(digits);
-        if step < precision.least_exponent() || top >= precision.exponent_bound() {
-            return None;
-        }
-        let negative = Ring::sign(numerator) != Ring::sign(divisor);
-        Some(Self::of_parts(negative, mantissa, step))
+        let digits = precision.fraction_bits() + 1;
+        let rounded = bracket.rounded(u32::try_from(digits).ok()?)?;
+        let normal = precision.least_exponent()..precision.exponent_bound() - digits;
+        normal.contains(&rounded.step).then(|| {
+            let negative = numerator.sign() != divisor.sign();
+            Self::of_parts(negative, rounded.decide(numerator, divisor), rounded.step)
+        })
     }
 
-    /// The number of a format nearest to n/d with d > 0, as [`Double::nearest_in`]; n and d may
+    /// The number of a format nearest to n/d with d ≠ 0, as [`Double::nearest_in`]; n and d may
     /// have a common factor.
     #[must_use]
     pub fn nearest_to_quotient(
@@ -142,25 +130,33 @@ impl Double {
         numerator: &Integer,
         denominator: &Integer,
     ) -> Option<Self> {
-        let negative = Ring::sign(numerator).is_lt();
         if Ring::is_zero(numerator) {
             return Some(Self { bits: 0 });
         }
-        let leading = Self::by_leading_digits(precision, numerator, denominator);
-        if leading.is_some() {
-            return leading;
-        }
-        let numerator = numerator.abs();
-        let (above, below) = (length(&numerator), length(denominator));
+        let bracket = Bracket::of_integers(numerator, denominator);
+        let nearest =
+            bracket.and_then(|own| Self::in_bracket(precision, own, numerator, denominator));
+        nearest.or_else(|| Self::by_division(precision, numerator, denominator))
+    }
+
+    /// The number of a format nearest to n/d, which is not 0, by exact division.
+    fn by_division(
+        precision: Precision,
+        numerator: &Integer,
+        denominator: &Integer,
+    ) -> Option<Self> {
+        let negative = Ring::sign(numerator) != Ring::sign(denominator);
+        let (numerator, denominator) = (numerator.abs(), denominator.abs());
+        let (above, below) = (length(&numerator), length(&denominator));
         if above - below > precision.exponent_bound() {
             return None;
         }
         // 2^top ≤ |q| < 2^(top + 1), and the mantissa counts steps of 2^step.
         let trial = above - below;
-        let (left, right) = shifted(&numerator, denominator, trial);
+        let (left, right) = shifted(&numerator, &denominator, trial);
         let top = if left < right { trial - 1 } else { trial };
         let step = (top - precision.fraction_bits()).max(precision.least_exponent());
-        let (dividend, divisor) = shifted(&numerator, denominator, step);
+        let (dividend, divisor) = shifted(&numerator, &denominator, step);
         let quotient = &dividend / &divisor;
         let twice = (dividend - &quotient * &divisor) * 2_u8;
         let mantissa = u64::try_from(quotient).ok()?;

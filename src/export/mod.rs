@@ -5,6 +5,7 @@
 
 mod approx;
 mod boundary;
+mod bracket;
 mod context;
 mod exported;
 mod fault;

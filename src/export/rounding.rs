@@ -3,7 +3,7 @@ use crate::net::Knots;
 use crate::number::{Field, Rational, Real, Ring};
 
 use super::approx::magnitude;
-use super::{Double, ExportFault};
+use super::{Double, ExportFault, Precision};
 
 /// The numerators of exact numbers.
 type Numerator = <Real as Field>::Ring;
@@ -37,7 +37,7 @@ impl Rounding {
         exact: &dyn Fn() -> Real,
         what: &dyn Fn() -> String,
     ) -> Result<Double, ExportFault> {
-        let double = Double::nearest_quotient(numerator, divisor);
+        let double = Double::nearest_quotient(Precision::Double, numerator, divisor);
         let double = double.ok_or_else(|| too_large(&exact(), &what()))?;
         self.watch(double, numerator.is_zero(), what);
         Ok(double)

@@ -51,6 +51,11 @@ impl Enclosure {
         self.precision
     }
 
+    /// l
+    pub(super) fn lower(&self) -> &Integer {
+        &self.lower
+    }
+
     /// The ends, as rational numbers.
     #[must_use]
     pub fn ends(&self) -> [Rational; 2] {

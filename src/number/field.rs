@@ -1,7 +1,7 @@
 use std::cmp::Ordering;
 use std::fmt::{Debug, Display};
 
-use super::{Basis, Integer, Place};
+use super::{Basis, Integer, Leading, Place};
 
 /// The numerators of a [`Field`]: an integral domain in which every element of the field stands
 /// over a rational integer.
@@ -65,6 +65,8 @@ pub trait Ring: Clone + PartialEq + Eq + Debug + Send + Sync + 'static {
     fn bits(&self) -> u64;
     /// The element as a rational integer; none if it is not one.
     fn as_integer(&self) -> Option<&Integer>;
+    /// Its leading digits; none where the terms of a sum cancel so far that few are sure.
+    fn leading(&self) -> Option<Leading>;
 }
 
 /// A real field with exact arithmetic and decidable sign.

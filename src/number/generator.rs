@@ -1,8 +1,8 @@
 use std::fmt;
-use std::sync::{Arc, Mutex};
+use std::sync::{Arc, Mutex, OnceLock};
 
 use super::enclosure::refine;
-use super::{Enclosure, Integer, Modulus, Place, Ring, SurdInteger};
+use super::{Enclosure, Integer, Leading, Modulus, Place, Ring, SurdInteger};
 
 /// How many primes that have a place one level down are tried for the next [`Place`]. About half
 /// of them have one.
@@ -21,6 +21,7 @@ struct Inner {
     level: usize,
     /// √a at the greatest precision that was needed so far.
     enclosure: Mutex<Option<Enclosure>>,
+    leading: OnceLock<Option<Leading>>,
     places: Mutex<Places>,
 }
 
@@ -45,6 +46,7 @@ impl Generator {
             below,
             level,
             enclosure: Mutex::new(None),
+            leading: OnceLock::new(),
             places: Mutex::default(),
         }))
     }
@@ -102,6 +104,13 @@ impl Generator {
             let root = root.coarser(precision);
             (root.width() <= Integer::from(3)).then_some(root)
         })
+    }
+
+    /// The leading digits of √a; none for roots below 2⁻³⁸⁴⁰ or so.
+    pub(super) fn leading(&self) -> Option<Leading> {
+        let precisions = || (0..6).map(|step| 128_u32 << step);
+        let find = || precisions().find_map(|own| Leading::of_enclosure(&self.enclose(own)));
+        *self.0.leading.get_or_init(find)
     }
 
     /// A homomorphism of the numerators up to this level to a prime field; none if none was found

@@ -4,7 +4,7 @@ use std::str::FromStr;
 
 use num_bigint::BigInt;
 
-use super::{Basis, Place, Ring, convolution};
+use super::{Basis, Leading, Place, Ring, convolution};
 
 /// A rational integer of any size.
 ///
@@ -129,7 +129,7 @@ impl Integer {
     /// The leading 128 digits of |n| for n ≠ 0, and how many follow: |n| = (m + ε) 2ᵏ with
     /// 2¹²⁷ ≤ m < 2¹²⁸ and 0 ≤ ε < 1. The second is negative for small numbers, whose ε is 0.
     #[must_use]
-    pub fn leading(&self) -> (u128, i64) {
+    pub fn leading_digits(&self) -> (u128, i64) {
         match &self.0 {
             Form::Machine(own) => {
                 let size = own.unsigned_abs();
@@ -412,5 +412,9 @@ impl Ring for Integer {
 
     fn as_integer(&self) -> Option<&Integer> {
         Some(self)
+    }
+
+    fn leading(&self) -> Option<Leading> {
+        Some(Leading::of_integer(self))
     }
 }

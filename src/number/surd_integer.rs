@@ -2,7 +2,7 @@ use std::cmp::Ordering;
 use std::fmt;
 
 use super::enclosure::refine;
-use super::{Basis, Enclosure, Generator, Integer, Place, Ring, convolution, gcd};
+use super::{Basis, Enclosure, Generator, Integer, Leading, Place, Ring, convolution, gcd};
 
 /// A numerator of a tower of real fields: an element of ℤ[√a₁, √a₂, …] with integral radicands.
 ///
@@ -351,7 +351,10 @@ impl Ring for SurdInteger {
                 (Ordering::Equal, sign) => sign,
                 (left, right) if left == right => left,
                 // Not 0, so some enclosure excludes 0.
-                _ => refine(|precision| self.enclose(precision).sign()),
+                _ => self.leading().map_or_else(
+                    || refine(|precision| self.enclose(precision).sign()),
+                    |own| own.sign(),
+                ),
             },
         }
     }
@@ -408,6 +411,16 @@ impl Ring for SurdInteger {
         match self {
             Self::Rational(own) => Some(own),
             Self::Irrational(_) => None,
+        }
+    }
+
+    fn leading(&self) -> Option<Leading> {
+        match self {
+            Self::Rational(own) => own.leading(),
+            Self::Irrational(own) => {
+                let product = own.slope.leading()?.times(own.generator.leading()?)?;
+                own.constant.leading()?.plus(product)
+            }
         }
     }
 }

@@ -1,5 +1,5 @@
 use crate::export::{Double, Precision};
-use crate::number::{Field, Integer, Rational, Real, Ring};
+use crate::number::{Integer, Rational, Real, Ring};
 
 use super::tensor::Numerator;
 
@@ -13,7 +13,7 @@ pub(super) fn nearest_point(
     [weight, point @ ..]: &[Numerator; 4],
 ) -> Option<[Double; 3]> {
     let [x, y, z] = point;
-    let nearest = |own| nearest_quotient(precision, own, weight);
+    let nearest = |own| Double::nearest_quotient(precision, own, weight);
     Some([nearest(x)?, nearest(y)?, nearest(z)?])
 }
 
@@ -27,38 +27,6 @@ pub(super) fn nearest_unit(precision: Precision, vector: &[Numerator; 3]) -> Opt
     let [x, y, z] = vector;
     let nearest = |own| nearest_over_root(precision, own, &square);
     Some([nearest(x)?, nearest(y)?, nearest(z)?])
-}
-
-/// The number nearest to a/w for w > 0.
-fn nearest_quotient(precision: Precision, above: &Numerator, below: &Numerator) -> Option<Double> {
-    if let (Some(above), Some(below)) = (above.as_integer(), below.as_integer()) {
-        return Double::nearest_to_quotient(precision, above, below);
-    }
-    let nearest = |[left, right]: [Rational; 2]| {
-        let (above, below) = (
-            left.numerator() * right.denominator(),
-            left.denominator() * right.numerator(),
-        );
-        let sound = Ring::sign(&below).is_gt();
-        sound.then(|| Double::nearest_to_quotient(precision, &above, &below))?
-    };
-    let agreed = BITS.iter().find_map(|bits| {
-        let [[low, high], [least, greatest]] = ends(above, below, *bits);
-        let negative = low.sign().is_lt();
-        let negative_end = high.sign().is_lt();
-        let lower = nearest([
-            low,
-            if negative {
-                least.clone()
-            } else {
-                greatest.clone()
-            },
-        ])?;
-        let upper = nearest([high, if negative_end { greatest } else { least }])?;
-        (lower == upper).then_some(lower)
-    });
-    let exact = || &Real::integral(above.clone()) / &Real::integral(below.clone());
-    agreed.or_else(|| Double::nearest_in(precision, &exact()))
 }
 
 /// The number nearest to a/√s for s > 0.

@@ -1,0 +1,245 @@
+use std::cmp::Ordering;
+
+use super::{Enclosure, Integer, Ring};
+
+/// A real number by its leading digits: it differs from m · 2ᵏ by at most e · 2ᵏ, and m is 0 only
+/// for the number 0.
+///
+/// Operations take machine numbers only, however long the number is, so the cost of an answer does
+/// not depend on its size. What holds everywhere in the interval is proved.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Leading {
+    /// m, which has [`Leading::DIGITS`] binary digits, or is 0
+    mantissa: i128,
+    /// e
+    error: u64,
+    /// k
+    exponent: i64,
+}
+
+impl Leading {
+    /// The binary digits of a mantissa; all but 64 of them are sure.
+    pub const DIGITS: u32 = 124;
+
+    /// A rational integer.
+    #[must_use]
+    pub fn of_integer(value: &Integer) -> Self {
+        const DROPPED: u32 = u128::BITS - Leading::DIGITS;
+        let (digits, exponent) = value.leading_digits();
+        let size = i128::try_from(digits >> DROPPED).unwrap_or_default();
+        let exact = value.machine().is_some() && digits.trailing_zeros() >= DROPPED;
+        Self {
+            mantissa: if Ring::sign(value).is_lt() {
+                -size
+            } else {
+                size
+            },
+            error: u64::from(!exact),
+            exponent: exponent + i64::from(DROPPED),
+        }
+    }
+
+    /// A number in an interval that does not hold 0; none if it is wider than a few units of the
+    /// last digit.
+    pub(super) fn of_enclosure(enclosure: &Enclosure) -> Option<Self> {
+        enclosure.sign().filter(|own| own.is_ne())?;
+        let lower = Self::of_integer(enclosure.lower());
+        let width = u64::try_from(&enclosure.width()).ok()?;
+        // A last digit counts as much as a step of the enclosure, or more.
+        let error = lower.error.checked_add(width)?;
+        (lower.exponent >= 0).then(|| Self {
+            error,
+            exponent: lower.exponent - i64::from(enclosure.precision()),
+            ..lower
+        })
+    }
+
+    /// The number m · 2ᵏ up to e · 2ᵏ with |m| < 2¹²⁷; none if few digits are sure.
+    fn normal(mantissa: i128, error: u64, exponent: i64) -> Option<Self> {
+        let size = mantissa.unsigned_abs();
+        let digits = u128::BITS - size.leading_zeros();
+        let (size, error) = if digits > Self::DIGITS {
+            let dropped = digits - Self::DIGITS;
+            (size >> dropped, (error >> dropped) + 2)
+        } else {
+            let missing = Self::DIGITS - digits;
+            if error > 0 && error.leading_zeros() < missing {
+                return None;
+            }
+            (
+                size << missing,
+                error.checked_shl(missing).unwrap_or_default(),
+            )
+        };
+        let size = i128::try_from(size).ok()?;
+        Some(Self {
+            mantissa: if mantissa < 0 { -size } else { size },
+            error,
+            exponent: exponent + i64::from(digits) - i64::from(Self::DIGITS),
+        })
+    }
+
+    /// The sign.
+    #[must_use]
+    pub fn sign(&self) -> Ordering {
+        self.mantissa.cmp(&0)
+    }
+
+    /// l, h and k with l · 2ᵏ ≤ |a| ≤ h · 2ᵏ.
+    #[must_use]
+    pub fn ends(&self) -> (u128, u128, i64) {
+        let (size, error) = (self.mantissa.unsigned_abs(), u128::from(self.error));
+        (size - error, size + error, self.exponent)
+    }
+
+    /// a + b; none where so much cancels that few digits are sure
+    #[must_use]
+    pub fn plus(self, other: Self) -> Option<Self> {
+        if self.mantissa == 0 {
+            return Some(other);
+        }
+        if other.mantissa == 0 {
+            return Some(self);
+        }
+        let (high, low) = if self.exponent < other.exponent {
+            (other, self)
+        } else {
+            (self, other)
+        };
+        let shift = high.exponent.checked_sub(low.exponent)?;
+        let shift = u32::try_from(shift).unwrap_or(u32::MAX).min(i128::BITS - 1);
+        let error = low.error.checked_shr(shift).unwrap_or_default();
+        let error = error + 2 * u64::from(shift > 0);
+        Self::normal(
+            high.mantissa + (low.mantissa >> shift),
+            high.error.checked_add(error)?,
+            high.exponent,
+        )
+    }
+
+    /// a b
+    ///
+    /// |(m ± e)(n ± f) − mn| ≤ |m| f + |n| e + e f < (e + f + 1) 2¹²⁴, of which 2¹²⁸ are a unit.
+    #[must_use]
+    pub fn times(self, other: Self) -> Option<Self> {
+        let size = high_product(self.mantissa.unsigned_abs(), other.mantissa.unsigned_abs());
+        let size = i128::try_from(size).ok()?;
+        let same = (self.mantissa < 0) == (other.mantissa < 0);
+        if size == 0 {
+            return Some(Self::of_integer(&Integer::from(0)));
+        }
+        Self::normal(
+            if same { size } else { -size },
+            (self.error >> 4) + (other.error >> 4) + 4,
+            self.exponent
+                .checked_add(other.exponent)?
+                .checked_add(128)?,
+        )
+    }
+}
+
+/// ⌊a b / 2¹²⁸⌋ for factors below 2¹²⁷.
+fn high_product(left: u128, right: u128) -> u128 {
+    const LOW: u128 = u64::MAX as u128;
+    let ([a, b], [c, d]) = ([left >> 64, left & LOW], [right >> 64, right & LOW]);
+    let middle = a * d + ((b * d) >> 64);
+    let carried = (middle & LOW) + b * c;
+    a * c + (middle >> 64) + (carried >> 64)
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::number::{Field, Real, SurdInteger, Tower};
+
+    /// (m ± e) 2ᵏ holds a number, by enclosures that do not know of leading digits.
+    fn holds(leading: Leading, number: &SurdInteger) -> bool {
+        let (least, greatest, exponent) = leading.ends();
+        let power = Real::power_of_two(exponent);
+        let [least, greatest] =
+            [least, greatest].map(|own| Real::from(Integer::from(own)).times(&power));
+        let precision = 256 + u32::try_from(exponent.unsigned_abs()).unwrap_or_default();
+        let [lower, upper] = number.enclose(precision).absolute().ends().map(Real::from);
+        let negative = number.enclose(precision).sign() == Some(Ordering::Less);
+        least <= upper && lower <= greatest && negative == leading.sign().is_lt()
+    }
+
+    /// Small numbers, long ones, and those about a power of two.
+    fn integers() -> impl Strategy<Value = Integer> {
+        let near =
+            (0_u32..300, -2_i64..3).prop_map(|(power, step)| (Integer::from(1) << power) + step);
+        let any = (any::<i128>(), 0_u32..200, any::<i64>())
+            .prop_map(|(own, power, step)| (Integer::from(own) << power) + step);
+        prop_oneof![
+            (-9_i64..10).prop_map(Integer::from),
+            near.clone(),
+            near.prop_map(|own| -own),
+            any
+        ]
+    }
+
+    /// a + b√2 + (c + d√2) √(3 + √2), the first root alone, and sums that nearly cancel.
+    fn numbers() -> impl Strategy<Value = SurdInteger> {
+        let build = |parts: [Integer; 4]| {
+            let tower = Tower::new(8);
+            let root = |own: &Real| tower.square_root(own).unwrap_or_else(|_| Real::zero());
+            let first = root(&Real::from(2));
+            let second = root(&Real::from(3).plus(&first));
+            let [a, b, c, d] = parts.map(Real::from);
+            let slope = c.plus(&d.times(&first));
+            a.plus(&b.times(&first))
+                .plus(&slope.times(&second))
+                .numerator()
+                .clone()
+        };
+        let any = [integers(), integers(), integers(), integers()].prop_map(build);
+        let unit = (0_u32..90).prop_map(move |power| {
+            // (1 − √2)ⁿ = a − b√2 with positive a and b
+            let (mut a, mut b) = (Integer::from(1), Integer::from(0));
+            for _ in 0..power {
+                (a, b) = (-&a - &b * 2_u8, -&a - &b);
+            }
+            build([a, b, Integer::from(0), Integer::from(0)])
+        });
+        prop_oneof![3 => any, 1 => unit]
+    }
+
+    proptest! {
+        #[test]
+        fn digits_lead_the_number(number in numbers()) {
+            match number.leading() {
+                Some(leading) => prop_assert!(holds(leading, &number), "{number} {leading:?}"),
+                None => prop_assert!(number.as_integer().is_none()),
+            }
+        }
+
+        #[test]
+        fn sums_and_products_are_led_by_theirs(one in numbers(), other in numbers()) {
+            if let (Some(left), Some(right)) = (one.leading(), other.leading()) {
+                let product = left.times(right);
+                prop_assert!(product.is_some_and(|own| holds(own, &one.times(&other))));
+                let sum = left.plus(right);
+                prop_assert!(sum.is_none_or(|own| holds(own, &one.plus(&other))));
+            }
+        }
+    }
+
+    #[test]
+    fn few_digits_are_no_answer() {
+        let half = Leading::of_integer(&(Integer::from(1) << 300_u32));
+        let near = Leading::of_integer(&((Integer::from(1) << 300_u32) + 1));
+        assert_eq!(
+            near.plus(Leading {
+                mantissa: -half.mantissa,
+                ..half
+            }),
+            None
+        );
+        let zero = Leading::of_integer(&Integer::from(0));
+        assert_eq!(zero.sign(), Ordering::Equal);
+        assert_eq!(near.plus(zero), Some(near));
+        assert!(near.times(zero).is_some_and(|own| own.sign().is_eq()));
+    }
+}
