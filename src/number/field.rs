@@ -45,7 +45,11 @@ pub trait Ring: Clone + PartialEq + Eq + Debug + Send + Sync + 'static {
     /// a / b if that lies in the ring; b is not 0
     fn quotient(&self, divisor: &Self) -> Option<Self>;
     /// The greatest rational integer that divides a; it is not negative, and 0 for 0.
-    fn content(&self) -> Integer;
+    fn content(&self) -> Integer {
+        self.content_with(&<Integer as Ring>::zero())
+    }
+    /// The greatest rational integer that divides a and n; it is not negative, and 0 if both are 0.
+    fn content_with(&self, other: &Integer) -> Integer;
     /// The sign of the real number.
     fn sign(&self) -> Ordering;
     /// The number of generators of the field that the element is known to lie in: 0 for a

@@ -4,7 +4,7 @@ use std::str::FromStr;
 
 use num_bigint::BigInt;
 
-use super::{Basis, Leading, Place, Ring, convolution};
+use super::{Basis, Leading, Place, Ring, convolution, gcd};
 
 /// A rational integer of any size.
 ///
@@ -375,6 +375,11 @@ impl Ring for Integer {
 
     fn content(&self) -> Integer {
         self.abs()
+    }
+
+    #[inline]
+    fn content_with(&self, other: &Integer) -> Integer {
+        gcd(other, self)
     }
 
     #[inline]

@@ -19,6 +19,7 @@ mod operators;
 mod place;
 mod rational;
 mod surd;
+mod surd_convolution;
 mod surd_integer;
 mod tower;
 mod unit;

@@ -23,7 +23,7 @@ impl Surd {
         let mut common = if denominator.is_one() {
             Integer::from(1)
         } else {
-            gcd(&denominator, &numerator.content())
+            numerator.content_with(&denominator)
         };
         if Ring::sign(&denominator).is_lt() {
             common = -common;

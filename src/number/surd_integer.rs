@@ -2,7 +2,9 @@ use std::cmp::Ordering;
 use std::fmt;
 
 use super::enclosure::refine;
-use super::{Basis, Enclosure, Generator, Integer, Leading, Place, Ring, convolution, gcd};
+use super::{
+    Basis, Enclosure, Generator, Integer, Leading, Place, Ring, convolution, gcd, surd_convolution,
+};
 
 /// A numerator of a tower of real fields: an element of ℤ[√a₁, √a₂, …] with integral radicands.
 ///
@@ -96,8 +98,7 @@ impl SurdInteger {
             }
             Self::Irrational(own) => {
                 let (numerator, denominator) = Self::norm(own).inverse()?;
-                let content = numerator.content();
-                let common = gcd(&content, &denominator);
+                let common = numerator.content_with(&denominator);
                 let numerator = numerator.divided(&common);
                 Some((Self::conjugate(own).times(&numerator), denominator / common))
             }
@@ -286,12 +287,13 @@ impl Ring for SurdInteger {
     fn convolution(left: &[Self], right: &[Self]) -> Vec<Self> {
         let rational = |list| <[Self]>::iter(list).map(Ring::as_integer).collect();
         let lists: (Option<Vec<_>>, Option<Vec<_>>) = (rational(left), rational(right));
-        let packed = lists.0.zip(lists.1);
-        let packed = packed.and_then(|(left, right)| convolution::packed(&left, &right));
-        packed.map_or_else(
-            || convolution::one_by_one(left, right),
-            |own| own.into_iter().map(Self::Rational).collect(),
-        )
+        if let Some((left, right)) = lists.0.zip(lists.1)
+            && let Some(packed) = convolution::packed(&left, &right)
+        {
+            return packed.into_iter().map(Self::Rational).collect();
+        }
+        surd_convolution::by_parts(left, right)
+            .unwrap_or_else(|| convolution::one_by_one(left, right))
     }
 
     fn negated(&self) -> Self {
@@ -329,16 +331,15 @@ impl Ring for SurdInteger {
         }
     }
 
-    #[inline]
-    fn content(&self) -> Integer {
+    fn content_with(&self, other: &Integer) -> Integer {
+        if Ring::is_one(other) {
+            return other.clone();
+        }
         match self {
-            Self::Rational(own) => own.content(),
+            Self::Rational(own) => gcd(other, own),
             Self::Irrational(own) => {
-                let slope = own.slope.content();
-                if Ring::is_one(&slope) {
-                    return slope;
-                }
-                gcd(&slope, &own.constant.content())
+                let slope = own.slope.content_with(other);
+                own.constant.content_with(&slope)
             }
         }
     }

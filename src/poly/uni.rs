@@ -3,7 +3,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 use smallvec::{SmallVec, smallvec};
 
-use crate::number::{Field, Integer, Ring, gcd, lcm};
+use crate::number::{Field, Integer, Ring, lcm};
 
 /// Numerators; a constant needs no memory of its own.
 type Numerators<R> = SmallVec<[R; 1]>;
@@ -150,6 +150,22 @@ impl<F: Field> UniPoly<F> {
     #[must_use]
     pub fn is_rational(&self) -> bool {
         self.numerators.iter().all(|own| own.height() == 0)
+    }
+
+    /// Whether it is the product of a number and a polynomial with rational coefficients.
+    #[must_use]
+    pub fn is_rational_up_to_a_factor(&self) -> bool {
+        let unit = |own: &F::Ring| own.divided(&own.content());
+        let mut units = self
+            .numerators
+            .iter()
+            .filter(|own| !own.is_zero())
+            .map(unit);
+        let Some(first) = units.next() else {
+            return true;
+        };
+        let opposite = first.negated();
+        units.all(|own| own == first || own == opposite)
     }
 
     /// The numerators nᵢ, ascending.
@@ -331,7 +347,7 @@ impl<F: Field> UniPoly<F> {
     pub fn content(&self) -> Integer {
         let mut content = Integer::zero();
         for numerator in self.numerators.iter().rev() {
-            content = gcd(&content, &numerator.content());
+            content = numerator.content_with(&content);
             if content.is_one() {
                 break;
             }
@@ -439,7 +455,7 @@ impl<F: Field> UniPoly<F> {
             if common.is_one() {
                 break;
             }
-            common = gcd(&common, &numerator.content());
+            common = numerator.content_with(&common);
         }
         if Ring::sign(&self.denominator).is_lt() {
             common = -common;

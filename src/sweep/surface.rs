@@ -91,6 +91,8 @@ impl SweptSurface {
 #[derive(Debug, Clone)]
 pub struct HomogeneousSurface {
     proportional: [BiPoly<Real>; 4],
+    /// By which they are divided in the normal form, up to a positive rational factor.
+    unit: Real,
     /// To be found means to multiply out, which nothing but a report needs.
     normal: OnceCell<[BiPoly<Real>; 4]>,
 }
@@ -109,37 +111,60 @@ impl HomogeneousSurface {
     pub fn new(proportional: [BiPoly<Real>; 4]) -> Self {
         Self {
             proportional,
+            unit: Real::one(),
             normal: OnceCell::new(),
         }
     }
 
-    /// The surface of given W, X, Y, Z, multiplied by a number so that W at the start corner of
-    /// the domain is positive and rational (if W vanishes there: W's first coefficient).
+    /// The surface of given W, X, Y, Z on a domain.
     fn scaled(coordinates: [BiPoly<Real>; 4], domain: &Domain) -> Self {
-        Self::new(positive(coordinates, domain))
+        let start = start(&coordinates[0], domain);
+        let inverse = || start.inverse().unwrap_or_else(Real::one);
+        if !start.is_rational() && is_rational_up_to_a_factor(&coordinates[0]) {
+            // A rational weight makes all that follows cheaper.
+            let inverse = inverse();
+            return Self::new(coordinates.map(|own| own.scale(&inverse)));
+        }
+        Self {
+            unit: if start.is_rational() {
+                Real::one()
+            } else {
+                start.absolute()
+            },
+            proportional: if start.sign().is_lt() {
+                coordinates.map(|own| -&own)
+            } else {
+                coordinates
+            },
+            normal: OnceCell::new(),
+        }
     }
 
-    /// W, X, Y, Z, multiplied by a positive rational number so that the rational components of all
-    /// coefficients are coprime integers.
+    /// W, X, Y, Z, multiplied by a number so that W at the start corner of the domain is positive
+    /// and rational (if W vanishes there: W's first coefficient), and the rational components of
+    /// all coefficients are coprime integers.
     #[must_use]
     pub fn coordinates(&self) -> &[BiPoly<Real>; 4] {
-        self.normal
-            .get_or_init(|| coprime_integers(&self.proportional))
+        self.normal.get_or_init(|| {
+            let inverse = self.unit.inverse().unwrap_or_else(Real::one);
+            let unit = self.proportional.each_ref().map(|own| own.scale(&inverse));
+            coprime_integers(&unit)
+        })
     }
 
-    /// W, X, Y, Z up to a positive rational factor, without multiplying them out.
+    /// W, X, Y, Z up to a positive factor, without multiplying them out.
     #[must_use]
     pub fn proportional(&self) -> &[BiPoly<Real>; 4] {
         &self.proportional
     }
 
-    /// W up to a positive rational factor, which is that of [`Self::point`].
+    /// W up to a positive factor, which is that of [`Self::point`].
     #[must_use]
     pub fn weight(&self) -> &BiPoly<Real> {
         &self.proportional[0]
     }
 
-    /// (X, Y, Z) up to a positive rational factor
+    /// (X, Y, Z) up to a positive factor
     #[must_use]
     pub fn point(&self) -> [BiPoly<Real>; 3] {
         let [_, x, y, z] = &self.proportional;
@@ -383,26 +408,30 @@ fn joined(proofs: [Option<Coprimality>; 2], separable: bool) -> Coprimality {
     proofs.into_iter().flatten().next().unwrap_or(rational)
 }
 
-/// The multiple in which the number at the start corner of the domain is positive and rational (if
-/// that is 0: the first coefficient).
-fn positive(coordinates: [BiPoly<Real>; 4], domain: &Domain) -> [BiPoly<Real>; 4] {
-    let weight = &coordinates[0];
+/// W at the start corner of the domain (if that is 0: its first coefficient).
+fn start(weight: &BiPoly<Real>, domain: &Domain) -> Real {
     let corner = weight.evaluate(domain.u.start(), domain.v.start());
-    let unit = if corner.is_zero() {
+    if corner.is_zero() {
         first_coefficient(weight)
     } else {
         corner
-    };
-    if unit.is_rational() {
-        return if unit.sign().is_lt() {
-            coordinates.map(|own| -&own)
-        } else {
-            coordinates
-        };
     }
-    match unit.inverse() {
-        Some(inverse) => coordinates.map(|own| own.scale(&inverse)),
-        None => coordinates,
+}
+
+/// Whether a polynomial is the product of a number and a polynomial with rational coefficients.
+fn is_rational_up_to_a_factor(polynomial: &BiPoly<Real>) -> bool {
+    match polynomial.terms() {
+        [(in_u, in_v)] => in_u.is_rational_up_to_a_factor() && in_v.is_rational_up_to_a_factor(),
+        _ => {
+            let rows = polynomial.rows();
+            let numerators: Vec<_> = rows
+                .iter()
+                .flat_map(|own| own.numerators())
+                .cloned()
+                .collect();
+            UniPoly::<Real>::from_numerators(numerators, <Integer as Ring>::one())
+                .is_rational_up_to_a_factor()
+        }
     }
 }
 
@@ -427,9 +456,8 @@ fn normal_form(polynomial: &BiPoly<Real>, domain: &Domain) -> BiPoly<Real> {
         return BiPoly::one();
     }
     let zero = BiPoly::zero;
-    let alone = positive([polynomial.clone(), zero(), zero(), zero()], domain);
-    let [normal, ..] = coprime_integers(&alone);
-    normal
+    let alone = [polynomial.clone(), zero(), zero(), zero()];
+    HomogeneousSurface::scaled(alone, domain).coordinates()[0].clone()
 }
 
 /// The coefficient of the lowest power of u, and of v among those.
