@@ -89,6 +89,9 @@ impl Double {
         if let (Some(numerator), Some(divisor)) = (numerator.as_integer(), divisor.as_integer()) {
             return Self::nearest_to_quotient(precision, numerator, divisor);
         }
+        if numerator.is_zero() {
+            return Some(Self::default());
+        }
         let leading = || Bracket::of_leading(numerator.leading()?, divisor.leading()?);
         let nearest = || Self::in_bracket(precision, leading()?, numerator, divisor);
         nearest().or_else(|| {
@@ -131,7 +134,7 @@ impl Double {
         denominator: &Integer,
     ) -> Option<Self> {
         if Ring::is_zero(numerator) {
-            return Some(Self { bits: 0 });
+            return Some(Self::default());
         }
         let bracket = Bracket::of_integers(numerator, denominator);
         let nearest =
