@@ -368,7 +368,7 @@ fn printed_degrees_are_counted() {
     ];
     let examples = data["examples"].as_array().unwrap();
     for (text, example) in texts.iter().zip(&examples[1..]) {
-        let bound = pairs(expand(text).1.bound);
+        let bound = pairs(expand(text).1.bound());
         for (coordinate, own) in ["W", "X", "Y", "Z"].iter().zip(bound) {
             let printed = &example[coordinate];
             let counted = if printed["verdict"] == "erratum" {
@@ -394,7 +394,7 @@ fn counted_degrees() {
         let sweep = random.ph(m);
         let text =
             |surface: &str| format!("{QUARTER}sweep c(v) in xy = {sweep}\nsurface R = {surface}");
-        let counted = |surface: &str| pairs(expand(&text(surface)).1.bound).map(Option::unwrap);
+        let counted = |surface: &str| pairs(expand(&text(surface)).1.bound()).map(Option::unwrap);
         let plain = [(2, 2 * m), (2, 4 * m + 1), (2, 4 * m + 1), (2, 2 * m)];
         assert_eq!(counted("oriented_translation(p, c)"), plain);
         assert_eq!(counted("oriented_involute(p, c)"), plain);

@@ -294,7 +294,7 @@ fn degrees_agree(text: &str, expansion: &Expansion) {
     let factor = expansion.common_factor.bidegree().unwrap();
     let reduced = expansion.surface.bidegrees();
     for (index, constructed) in expansion.constructed.iter().enumerate() {
-        let (bound, reduced) = (expansion.bound[index], reduced[index]);
+        let (bound, reduced) = (expansion.bound()[index], reduced[index]);
         assert!(
             within(*constructed, bound),
             "{constructed:?} over {bound:?}\n{text}"

@@ -400,6 +400,9 @@ fn top_degree<'a, F: Field>(
     // Its own highest coefficient is mostly enough.
     let across = leading.iter().filter_map(|(_, other)| other.degree()).max();
     let highest = leading.iter().filter(|(_, other)| other.degree() == across);
+    if highest.clone().count() == 1 {
+        return Some(high);
+    }
     let lead = |(own, other): &(&UniPoly<F>, &UniPoly<F>)| {
         own.leading_coefficient()
             .times(&other.leading_coefficient())

@@ -17,6 +17,7 @@ mod image;
 mod integrate;
 mod interpolation;
 mod modular;
+mod numerators;
 mod quotient;
 mod rational_roots;
 mod restrict;

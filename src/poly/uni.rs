@@ -1,47 +1,48 @@
 use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
 
-use smallvec::{SmallVec, smallvec};
-
 use crate::number::{Field, Integer, Ring, lcm};
 
-/// Numerators; a constant needs no memory of its own.
-type Numerators<R> = SmallVec<[R; 1]>;
+use super::numerators::Numerators;
 
 /// A polynomial in one variable, Σ (nᵢ / d) xⁱ.
 ///
 /// Canonical: the last numerator is not 0, d > 0, and no integer above 1 divides d and all
 /// numerators; so equality of values is equality of representations. The zero polynomial has no
 /// numerators, and no degree.
-#[derive(PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug)]
 pub struct UniPoly<F: Field> {
     numerators: Numerators<F::Ring>,
     denominator: Integer,
 }
 
-impl<F: Field> Clone for UniPoly<F> {
-    fn clone(&self) -> Self {
-        let numerators = match self.numerators.as_slice() {
-            [only] => smallvec![only.clone()],
-            several => several.to_vec().into(),
-        };
-        Self {
-            numerators,
-            denominator: self.denominator.clone(),
-        }
-    }
-}
-
 impl<F: Field> UniPoly<F> {
     /// Σ (nᵢ / d) xⁱ from ascending numerators; d is not 0.
     #[must_use]
-    pub fn from_numerators(numerators: Vec<F::Ring>, denominator: Integer) -> Self {
-        let mut polynomial = Self {
+    pub fn from_numerators(mut numerators: Vec<F::Ring>, mut denominator: Integer) -> Self {
+        while numerators.last().is_some_and(Ring::is_zero) {
+            numerators.pop();
+        }
+        let mut common = denominator.clone();
+        for numerator in numerators.iter().rev() {
+            if common.is_one() {
+                break;
+            }
+            common = numerator.content_with(&common);
+        }
+        if Ring::sign(&denominator).is_lt() {
+            common = -common;
+        }
+        if !common.is_one() {
+            denominator /= &common;
+            for numerator in &mut numerators {
+                *numerator = numerator.divided(&common);
+            }
+        }
+        Self {
             numerators: numerators.into(),
             denominator,
-        };
-        polynomial.normalise();
-        polynomial
+        }
     }
 
     /// Σ cᵢ xⁱ from ascending coefficients.
@@ -64,7 +65,7 @@ impl<F: Field> UniPoly<F> {
     #[must_use]
     pub fn zero() -> Self {
         Self {
-            numerators: Numerators::new(),
+            numerators: Numerators::Zero,
             denominator: Integer::one(),
         }
     }
@@ -73,7 +74,7 @@ impl<F: Field> UniPoly<F> {
     #[must_use]
     pub fn one() -> Self {
         Self {
-            numerators: smallvec![F::Ring::one()],
+            numerators: Numerators::Constant(F::Ring::one()),
             denominator: Integer::one(),
         }
     }
@@ -89,9 +90,9 @@ impl<F: Field> UniPoly<F> {
     pub fn constant(value: &F) -> Self {
         let (numerator, denominator) = value.parts();
         let numerators = if numerator.is_zero() {
-            Numerators::new()
+            Numerators::Zero
         } else {
-            smallvec![numerator]
+            Numerators::Constant(numerator)
         };
         Self {
             numerators,
@@ -113,7 +114,7 @@ impl<F: Field> UniPoly<F> {
         for term in terms {
             let factor = &common / &term.denominator;
             let scaled = F::Ring::from_integer(&factor);
-            for (sum, own) in sums.iter_mut().zip(&term.numerators) {
+            for (sum, own) in sums.iter_mut().zip(&*term.numerators) {
                 if !own.is_zero() {
                     sum.add_product(own, &scaled);
                 }
@@ -137,7 +138,7 @@ impl<F: Field> UniPoly<F> {
     /// Whether it is 1.
     #[must_use]
     pub fn is_one(&self) -> bool {
-        matches!(self.numerators.as_slice(), [only] if only.is_one()) && self.denominator.is_one()
+        matches!(&*self.numerators, [only] if only.is_one()) && self.denominator.is_one()
     }
 
     /// Whether it is a constant, 0 included.
@@ -239,7 +240,7 @@ impl<F: Field> UniPoly<F> {
         if exponent == 1 {
             return self.clone();
         }
-        if let ([zero, one], Ok(power)) = (self.numerators.as_slice(), usize::try_from(exponent))
+        if let ([zero, one], Ok(power)) = (&*self.numerators, usize::try_from(exponent))
             && zero.is_zero()
             && one.is_one()
             && self.denominator.is_one()
@@ -443,29 +444,6 @@ impl<F: Field> UniPoly<F> {
             scale.collect(),
             &self.denominator * content,
         ))
-    }
-
-    /// Brings the representation to its canonical form.
-    fn normalise(&mut self) {
-        while self.numerators.last().is_some_and(Ring::is_zero) {
-            self.numerators.pop();
-        }
-        let mut common = self.denominator.clone();
-        for numerator in self.numerators.iter().rev() {
-            if common.is_one() {
-                break;
-            }
-            common = numerator.content_with(&common);
-        }
-        if Ring::sign(&self.denominator).is_lt() {
-            common = -common;
-        }
-        if !common.is_one() {
-            self.denominator = &self.denominator / &common;
-            for numerator in &mut self.numerators {
-                *numerator = numerator.divided(&common);
-            }
-        }
     }
 
     fn combine(&self, other: &Self, add: impl Fn(&F::Ring, &F::Ring) -> F::Ring) -> Self {

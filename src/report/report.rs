@@ -251,7 +251,7 @@ impl SurfaceReport {
                     .each_ref()
                     .map(|own| polynomial(own, basis)),
             ),
-            bound: Coordinates::of(expansion.bound.map(pair)),
+            bound: Coordinates::of(expansion.bound().map(pair)),
             as_constructed: Coordinates::of(expansion.constructed.map(pair)),
             common_factor: polynomial(&expansion.common_factor, basis),
             affine: affine(surface.affine()),

@@ -9,9 +9,7 @@ use crate::poly::{BiDegree, Fraction, Quotient};
 use super::bound::Counter;
 use super::rough::rough_degree;
 use super::square_root::square_root;
-use super::{
-    CurveProperty, DegreeBound, Domain, Expanded, Form, NormalFault, Scalar, Vector, unit_normal,
-};
+use super::{CurveProperty, Domain, Expanded, Form, NormalFault, Scalar, Vector, unit_normal};
 
 /// Multiplies expressions out to unreduced fractions of polynomials in u and v.
 ///
@@ -76,11 +74,6 @@ impl<'a> Expander<'a> {
             return Ok(Some(number.clone()));
         }
         Ok(self.expand(expression)?.as_constant())
-    }
-
-    /// The bidegrees of W, X, Y, Z by counting.
-    pub(super) fn degree_bound(&mut self, coordinates: &Vector) -> DegreeBound {
-        self.counter.bound(coordinates)
     }
 
     fn check_size(&mut self, expression: &Scalar) -> Found<()> {

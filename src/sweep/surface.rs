@@ -9,7 +9,7 @@ use crate::poly::{
     common_factor_v, exact_div_bi, gcd_bi,
 };
 
-use super::{DegreeBound, Expander, Form, Scalar, Vector};
+use super::{DegreeBound, Expander, Form, Scalar, Vector, degree_bound};
 
 /// The rectangle of parameters on which a surface is used.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -260,8 +260,8 @@ pub enum Step {
 /// What the formula of a surface expands to, with the story of its degrees.
 #[derive(Debug, Clone)]
 pub struct Expansion {
-    /// The bidegrees of W, X, Y, Z by counting.
-    pub bound: DegreeBound,
+    /// The formula.
+    coordinates: Vector,
     /// The exact bidegrees of the formula over its common denominator.
     pub constructed: [Option<BiDegree>; 4],
     /// The greatest common divisor of the four as constructed, normalised like W.
@@ -294,15 +294,20 @@ impl Expansion {
     ) -> Result<Self, Box<Diagnostic>> {
         let mut expander = Expander::new(&surface.domain, &surface.tower, limits);
         let fractions = expander.expand_vector(&surface.coordinates)?;
-        let bound = expander.degree_bound(&surface.coordinates);
         let reduction = HomogeneousSurface::of_in_steps(&fractions, &surface.domain, done);
         Ok(Self {
-            bound,
+            coordinates: surface.coordinates.clone(),
             constructed: reduction.constructed,
             common_factor: reduction.common_factor,
             coprimality: reduction.coprimality,
             surface: reduction.surface,
         })
+    }
+
+    /// The bidegrees of W, X, Y, Z by counting.
+    #[must_use]
+    pub fn bound(&self) -> DegreeBound {
+        degree_bound(&self.coordinates)
     }
 }
 

@@ -75,7 +75,7 @@ impl Row<'_> {
             }
             let cells = [
                 printed,
-                pair(expansion.bound[index]),
+                pair(expansion.bound()[index]),
                 pair(expansion.constructed[index]),
                 exact,
             ];

@@ -1,0 +1,38 @@
+use std::ops::Deref;
+use std::sync::Arc;
+
+/// The numerators of a polynomial, which copies share; a constant needs no memory of its own.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(super) enum Numerators<R> {
+    Zero,
+    Constant(R),
+    /// Two at least.
+    Several(Arc<[R]>),
+}
+
+impl<R> From<Vec<R>> for Numerators<R> {
+    fn from(mut list: Vec<R>) -> Self {
+        if list.len() > 1 {
+            return Self::Several(list.into());
+        }
+        list.pop().map_or(Self::Zero, Self::Constant)
+    }
+}
+
+impl<R> FromIterator<R> for Numerators<R> {
+    fn from_iter<I: IntoIterator<Item = R>>(list: I) -> Self {
+        Vec::from_iter(list).into()
+    }
+}
+
+impl<R> Deref for Numerators<R> {
+    type Target = [R];
+
+    fn deref(&self) -> &[R] {
+        match self {
+            Self::Zero => &[],
+            Self::Constant(own) => std::slice::from_ref(own),
+            Self::Several(own) => own,
+        }
+    }
+}
