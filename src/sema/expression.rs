@@ -5,6 +5,7 @@ use crate::sweep::{Domain, Expander, Scalar};
 use crate::syntax::ast::{Expr, ExprKind, Name, Sign};
 
 use super::lowerer::{Lowered, Lowerer};
+use super::numeral::numeral;
 use super::scope::Scope;
 use super::value::Value;
 
@@ -31,7 +32,13 @@ impl<'a> Lowerer<'a> {
                 Err(self.report(finding.help("strings name files and branches")))
             }
             ExprKind::Sum(terms) => self.sum(expr, terms, scope),
-            ExprKind::Product(factors) => self.product(expr.span, factors, scope),
+            ExprKind::Product(factors) => match numeral(expr, self.sources.limits.exponent) {
+                Some(number) => {
+                    let number = Scalar::constant(scope.site(expr.span), Real::from(number));
+                    Ok(Value::Scalar(number))
+                }
+                None => self.product(expr.span, factors, scope),
+            },
             ExprKind::Negate(inner) => {
                 let inner = self.value(inner, scope)?;
                 let site = scope.site(expr.span);
@@ -236,9 +243,14 @@ impl<'a> Lowerer<'a> {
         (power, base): (Span, Span),
         scope: &Scope<'a>,
     ) -> Lowered<i64> {
-        let scalar = self.scalar(expr, scope)?;
-        let number = self.number(&scalar, scope)?;
         let limit = self.sources.limits.exponent;
+        let number = match numeral(expr, limit) {
+            Some(number) => Real::from(number),
+            None => {
+                let scalar = self.scalar(expr, scope)?;
+                self.number(&scalar, scope)?
+            }
+        };
         match number.to_i64() {
             Some(exponent) if exponent.unsigned_abs() <= u64::from(limit) => Ok(exponent),
             None if !number.is_integer() => {

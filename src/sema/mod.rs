@@ -14,6 +14,7 @@ mod expectation;
 mod expression;
 mod lowerer;
 mod names;
+mod numeral;
 mod product;
 mod program;
 mod property;

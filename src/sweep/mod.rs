@@ -10,6 +10,7 @@ mod normal;
 mod rough;
 mod square_root;
 mod surface;
+mod written;
 
 pub use bound::{DegreeBound, degree_bound};
 pub use claim::{Claim, Expectation, Quality, Quantity, Relation};

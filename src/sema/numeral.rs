@@ -1,0 +1,31 @@
+use crate::number::{Field, Rational};
+use crate::syntax::ast::{Expr, ExprKind, ProductOp, Sign};
+
+/// How many parentheses and signs a numeral may have around it.
+const NESTING: usize = 4;
+
+/// The number that `7`, `-0.5` or `(3/4)` is: numerals with a sign or one stroke between them. None
+/// for all else, and for what a finding is to be reported of.
+pub(super) fn numeral(expr: &Expr, exponent_limit: u32) -> Option<Rational> {
+    nested(expr, exponent_limit, NESTING)
+}
+
+fn nested(expr: &Expr, limit: u32, depth: usize) -> Option<Rational> {
+    let inner = |expr: &Expr| nested(expr, limit, depth.checked_sub(1)?);
+    match &expr.kind {
+        ExprKind::Number(text) => Rational::from_literal(text, limit),
+        ExprKind::Group(own) => inner(own),
+        ExprKind::Negate(own) => Some(inner(own)?.negated()),
+        ExprKind::Sum(terms) => match terms.as_slice() {
+            [(Sign::Minus, only)] => Some(inner(only)?.negated()),
+            _ => None,
+        },
+        ExprKind::Product(factors) => match factors.as_slice() {
+            [(_, above), (ProductOp::Divide, below)] => {
+                Some(inner(above)?.times(&inner(below)?.inverse()?))
+            }
+            _ => None,
+        },
+        _ => None,
+    }
+}
