@@ -33,6 +33,8 @@ pub trait Ring: Clone + PartialEq + Eq + Debug + Send + Sync + 'static {
     fn add_product(&mut self, left: &Self, right: &Self);
     /// The coefficients of the product of two polynomials that are not 0.
     fn convolution(left: &[Self], right: &[Self]) -> Vec<Self>;
+    /// The coefficients of Σ aₖ xᵏ (1+x)ⁿ⁻ᵏ for n + 1 numbers aₖ or fewer.
+    fn binomial_sums(powers: &[Self], degree: usize) -> Vec<Self>;
     /// −a
     #[must_use]
     fn negated(&self) -> Self;

@@ -4,7 +4,7 @@ use std::str::FromStr;
 
 use num_bigint::BigInt;
 
-use super::{Basis, Leading, Place, Ring, convolution, gcd};
+use super::{Basis, Leading, Place, Ring, binomial_sums, convolution, gcd};
 
 /// A rational integer of any size.
 ///
@@ -354,6 +354,11 @@ impl Ring for Integer {
         let lists = [left, right].map(|list| list.iter().collect::<Vec<_>>());
         let packed = convolution::packed(&lists[0], &lists[1]);
         packed.unwrap_or_else(|| convolution::one_by_one(left, right))
+    }
+
+    fn binomial_sums(powers: &[Self], degree: usize) -> Vec<Self> {
+        binomial_sums::of_integers(powers, degree, |own| own)
+            .unwrap_or_else(|| binomial_sums::one_by_one(powers, degree))
     }
 
     fn negated(&self) -> Self {

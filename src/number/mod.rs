@@ -5,6 +5,7 @@
 //! `poly` is concrete over [`Real`]; nothing above this floor may assume what `Real` is.
 
 mod basis;
+mod binomial_sums;
 mod complex;
 mod conjugates;
 mod convolution;
@@ -19,8 +20,8 @@ mod operators;
 mod place;
 mod rational;
 mod surd;
-mod surd_convolution;
 mod surd_integer;
+mod surd_list;
 mod tower;
 mod unit;
 

@@ -3,7 +3,8 @@ use std::fmt;
 
 use super::enclosure::refine;
 use super::{
-    Basis, Enclosure, Generator, Integer, Leading, Place, Ring, convolution, gcd, surd_convolution,
+    Basis, Enclosure, Generator, Integer, Leading, Place, Ring, binomial_sums, convolution, gcd,
+    surd_list,
 };
 
 /// A numerator of a tower of real fields: an element of ℤ[√a₁, √a₂, …] with integral radicands.
@@ -292,8 +293,12 @@ impl Ring for SurdInteger {
         {
             return packed.into_iter().map(Self::Rational).collect();
         }
-        surd_convolution::by_parts(left, right)
-            .unwrap_or_else(|| convolution::one_by_one(left, right))
+        surd_list::by_parts(left, right).unwrap_or_else(|| convolution::one_by_one(left, right))
+    }
+
+    fn binomial_sums(powers: &[Self], degree: usize) -> Vec<Self> {
+        binomial_sums::of_integers(powers, degree, Self::Rational)
+            .unwrap_or_else(|| surd_list::sums_by_parts(powers, degree))
     }
 
     fn negated(&self) -> Self {

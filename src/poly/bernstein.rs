@@ -20,20 +20,7 @@ pub fn bernstein<F: Field>(polynomial: &UniPoly<F>, degree: usize, from: &F, to:
 /// C(n,i) bᵢ on [0, 1] from ascending power coefficients.
 #[must_use]
 pub fn scaled_bernstein<R: Ring>(powers: &[R], degree: usize) -> Vec<R> {
-    // Highest k last: f ← f (1+x) + aₖ xᵏ, beginning with the constant a₀.
-    let mut expanded = vec![R::zero(); degree + 1];
-    for order in 0..=degree {
-        for index in (1..=order).rev() {
-            let (below, above) = expanded.split_at_mut(index);
-            if let (Some(own), Some(other)) = (above.first_mut(), below.last()) {
-                own.add(other);
-            }
-        }
-        if let Some(own) = powers.get(order) {
-            expanded[order].add(own);
-        }
-    }
-    expanded
+    R::binomial_sums(powers, degree)
 }
 
 /// C(n,0), …, C(n,n)

@@ -400,7 +400,10 @@ fn top_degree<'a, F: Field>(
     // Its own highest coefficient is mostly enough.
     let across = leading.iter().filter_map(|(_, other)| other.degree()).max();
     let highest = leading.iter().filter(|(_, other)| other.degree() == across);
-    if highest.clone().count() == 1 {
+    let sign = |own: &UniPoly<F>| own.numerators().last().map(Ring::sign);
+    let mut signs = highest.clone().map(|(own, other)| sign(own) == sign(other));
+    let first = signs.next()?;
+    if signs.all(|own| own == first) {
         return Some(high);
     }
     let lead = |(own, other): &(&UniPoly<F>, &UniPoly<F>)| {

@@ -1,6 +1,6 @@
-//! Products of polynomials over a tower of fields, level by level.
+//! Polynomials over a tower of fields, as lists of coefficients, level by level.
 
-use super::{Generator, Ring, SurdInteger};
+use super::{Generator, Ring, SurdInteger, binomial_sums};
 
 /// Lists shorter than this are multiplied number by number.
 const SHORT: usize = 3;
@@ -38,6 +38,21 @@ pub(super) fn by_parts(left: &[SurdInteger], right: &[SurdInteger]) -> Option<Ve
     Some(coefficients.collect())
 }
 
+/// The coefficients of Σ aₖ xᵏ (1+x)ⁿ⁻ᵏ, where some aₖ is irrational.
+pub(super) fn sums_by_parts(powers: &[SurdInteger], degree: usize) -> Vec<SurdInteger> {
+    let generators = powers.iter().filter_map(SurdInteger::level);
+    let Some(generator) = generators.max_by_key(|own| own.level()).cloned() else {
+        return binomial_sums::one_by_one(powers, degree);
+    };
+    let (constants, slopes) = parts(powers, &generator);
+    let [constants, slopes] =
+        [constants, slopes].map(|own| SurdInteger::binomial_sums(&own, degree));
+    let pairs = constants.into_iter().zip(slopes);
+    pairs
+        .map(|(constant, slope)| SurdInteger::binomial(constant, slope, &generator))
+        .collect()
+}
+
 /// The a and the b of numbers a + b√aₖ.
 fn parts(list: &[SurdInteger], generator: &Generator) -> (Vec<SurdInteger>, Vec<SurdInteger>) {
     let part = |own: &SurdInteger| match own {
@@ -60,7 +75,7 @@ fn sums(one: &[SurdInteger], other: &[SurdInteger]) -> Vec<SurdInteger> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::{Integer, Real, Tower, convolution};
+    use crate::number::{Integer, Real, Tower, binomial_sums, convolution};
 
     /// a + b√2 + (c + d√2) √3 with numbers that grow, of any sign, and many of them 0.
     fn list(length: usize, seed: usize, levels: usize) -> Vec<SurdInteger> {
@@ -92,7 +107,7 @@ mod tests {
     }
 
     #[test]
-    fn products_by_parts_are_those_number_by_number() {
+    fn what_is_made_by_parts_is_what_is_made_number_by_number() {
         for seed in 0..30 {
             for lengths in [(3, 3), (3, 9), (12, 10)] {
                 for levels in [(0, 1), (1, 1), (2, 0), (2, 1), (2, 2)] {
@@ -106,6 +121,11 @@ mod tests {
                     );
                 }
             }
+        }
+        for levels in 0..3 {
+            let powers = list(12, 5, levels);
+            let expected = binomial_sums::one_by_one(&powers, 14);
+            assert_eq!(SurdInteger::binomial_sums(&powers, 14), expected);
         }
         let (left, right) = (list(12, 1, 2), list(9, 2, 2));
         assert!(by_parts(&left, &right).is_some());

@@ -1,0 +1,174 @@
+//! Σ aₖ xᵏ (1+x)ⁿ⁻ᵏ, as lists of coefficients: the way from powers to Bernstein coefficients.
+
+use num_bigint::{BigInt, BigUint, Sign};
+
+use super::{Integer, Ring};
+
+/// The coefficients of Σ aₖ xᵏ (1+x)ⁿ⁻ᵏ for as many k as there are, n + 1 at most: additions only.
+pub(super) fn one_by_one<R: Ring>(powers: &[R], degree: usize) -> Vec<R> {
+    // Highest k last: f ← f (1+x) + aₖ xᵏ, beginning with the constant a₀.
+    let mut sums = vec![R::zero(); degree + 1];
+    for order in 0..=degree {
+        for index in (1..=order).rev() {
+            let (below, above) = sums.split_at_mut(index);
+            if let (Some(own), Some(other)) = (above.first_mut(), below.last()) {
+                own.add(other);
+            }
+        }
+        if let Some(own) = powers.get(order) {
+            sums[order].add(own);
+        }
+    }
+    sums
+}
+
+/// The same for rational integers, without asking of each sum how long it is; none where some
+/// aₖ is irrational. As |Σ| < 2ⁿ Σ |aₖ|, machine numbers will do for all, or words of two's
+/// complement, as many for each number.
+pub(super) fn of_integers<R: Ring>(
+    powers: &[R],
+    degree: usize,
+    whole: impl Fn(Integer) -> R,
+) -> Option<Vec<R>> {
+    let mut bits = 0;
+    for own in powers {
+        bits = bits.max(own.as_integer()?.bits());
+    }
+    let count = u64::from(powers.len().max(1).ilog2()) + 1;
+    // One digit more for the sign.
+    let digits = bits + count + u64::try_from(degree).ok()? + 1;
+    Some(if digits < u64::from(i128::BITS) {
+        let sums = in_machine_numbers(powers, degree).into_iter();
+        sums.map(|own| whole(Integer::from(own))).collect()
+    } else {
+        let width = usize::try_from(digits.div_ceil(64)).ok()?;
+        let words = in_words(powers, degree, width);
+        words
+            .chunks_exact(width)
+            .map(|own| whole(integer(own)))
+            .collect()
+    })
+}
+
+fn in_machine_numbers<R: Ring>(powers: &[R], degree: usize) -> Vec<i128> {
+    let mut sums = vec![0_i128; degree + 1];
+    for order in 0..=degree {
+        for index in (1..=order).rev() {
+            sums[index] += sums[index - 1];
+        }
+        let own = powers.get(order).and_then(Ring::as_integer);
+        sums[order] += own.and_then(Integer::machine).unwrap_or_default();
+    }
+    sums
+}
+
+fn in_words<R: Ring>(powers: &[R], degree: usize, width: usize) -> Vec<u64> {
+    let mut words = vec![0_u64; width * (degree + 1)];
+    for order in 0..=degree {
+        for index in (1..=order).rev() {
+            let (below, above) = words.split_at_mut(index * width);
+            add(&mut above[..width], &below[(index - 1) * width..]);
+        }
+        if let Some(own) = powers.get(order).and_then(Ring::as_integer) {
+            add_integer(&mut words[order * width..(order + 1) * width], own);
+        }
+    }
+    words
+}
+
+/// a += b, the carry out of the last word dropped.
+fn add(sum: &mut [u64], other: &[u64]) {
+    let mut carry = false;
+    for (own, other) in sum.iter_mut().zip(other) {
+        let (partial, first) = own.overflowing_add(*other);
+        let (total, second) = partial.overflowing_add(u64::from(carry));
+        (*own, carry) = (total, first | second);
+    }
+}
+
+fn add_integer(sum: &mut [u64], value: &Integer) {
+    let mut words = value.digits();
+    words.resize(sum.len(), 0);
+    if Ring::sign(value).is_lt() {
+        negate(&mut words);
+    }
+    add(sum, &words);
+}
+
+/// −a
+fn negate(words: &mut [u64]) {
+    let mut carry = true;
+    for own in words {
+        (*own, carry) = (!*own).overflowing_add(u64::from(carry));
+    }
+}
+
+/// The number in words of two's complement.
+fn integer(words: &[u64]) -> Integer {
+    let negative = words.last().is_some_and(|own| own >> 63 == 1);
+    let fill = if negative { u64::MAX } else { 0 };
+    let word = |index: usize| u128::from(words.get(index).copied().unwrap_or(fill));
+    if words.iter().skip(2).all(|own| *own == fill) && word(1) >> 63 == u128::from(fill & 1) {
+        return Integer::from((word(1) << 64 | word(0)).cast_signed());
+    }
+    let mut size = words.to_vec();
+    if negative {
+        negate(&mut size);
+    }
+    let halves = size.iter().flat_map(|own| [*own, own >> 32]);
+    let halves = halves.map(|own| u32::try_from(own & u64::from(u32::MAX)).unwrap_or_default());
+    let sign = if negative { Sign::Minus } else { Sign::Plus };
+    Integer::of_long(BigInt::from_biguint(sign, BigUint::new(halves.collect())))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Numbers near the ends of one, two and more words, of either sign.
+    fn edge(seed: usize, power: u32) -> Integer {
+        let power = Integer::from(1) << power;
+        match seed % 7 {
+            0 => Integer::from(0),
+            1 => power,
+            2 => -power,
+            3 => power - 1,
+            4 => Integer::from(1) - power,
+            5 => Integer::from(-1),
+            _ => Integer::from(1),
+        }
+    }
+
+    fn sums(powers: &[Integer], degree: usize) -> Vec<Integer> {
+        of_integers(powers, degree, |own| own).unwrap_or_default()
+    }
+
+    #[test]
+    fn words_add_up_to_what_numbers_do() {
+        for power in [0, 1, 31, 52, 60, 62, 63, 64, 120, 126, 127, 128, 190, 300] {
+            for degree in [0, 1, 2, 9, 40, 70] {
+                for seed in 0..21 {
+                    let number = |index: usize| edge(index * index + seed * (index + 1), power);
+                    let powers: Vec<Integer> =
+                        (0..=degree - degree.min(seed % 3)).map(number).collect();
+                    assert_eq!(
+                        sums(&powers, degree),
+                        one_by_one(&powers, degree),
+                        "{powers:?}"
+                    );
+                }
+            }
+        }
+        assert_eq!(sums(&[], 3), vec![Integer::from(0); 4]);
+    }
+
+    #[test]
+    fn all_alike_fill_the_words() {
+        for sign in [1, -1] {
+            for power in [20, 53, 54, 117, 118, 180] {
+                let powers = vec![((Integer::from(1) << power) - 1) * sign; 10];
+                assert_eq!(sums(&powers, 9), one_by_one(&powers, 9));
+            }
+        }
+    }
+}
