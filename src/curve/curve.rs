@@ -157,7 +157,7 @@ impl Curve {
     #[must_use]
     pub fn cusps(&self) -> Vec<RealRoot<Real>> {
         self.speed()
-            .map(|speed| Hodograph::cusps(speed, &self.domain))
+            .map(|speed| self.hodograph.cusps(speed, &self.domain))
             .unwrap_or_default()
     }
 

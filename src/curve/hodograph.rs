@@ -73,7 +73,10 @@ impl Hodograph {
         };
         let signed = root.scale(&scale);
         let over = &signed * &self.denominator;
-        if let Some(root) = sign_change(&over, domain.start(), domain.end()) {
+        let changes = |own: &_| sign_change(own, domain.start(), domain.end());
+        if changes(&(&self.common() * &self.denominator)).is_some()
+            && let Some(root) = changes(&over)
+        {
             return Err(Fault::SpeedChangesSign {
                 root: Box::new(root),
             });
@@ -85,13 +88,23 @@ impl Hodograph {
         })
     }
 
-    /// The cusps: zeros of a speed numerator on the closed domain.
+    /// The cusps: zeros of its speed numerator on the closed domain.
     #[must_use]
-    pub fn cusps(speed: &UniPoly<Real>, domain: &Interval) -> Vec<RealRoot<Real>> {
-        if speed.is_constant() {
+    pub fn cusps(&self, speed: &UniPoly<Real>, domain: &Interval) -> Vec<RealRoot<Real>> {
+        let common = self.common();
+        let zeros = |own| real_roots(own, domain.start(), domain.end());
+        if common.is_constant() || zeros(&common).is_empty() {
             return Vec::new();
         }
-        real_roots(speed, domain.start(), domain.end())
+        zeros(speed)
+    }
+
+    /// The greatest common divisor of a, b, c, of a lower degree than N by far.
+    ///
+    /// N² = a² + b² + c² is 0 only where all three are, so N = ±gcd(a, b, c) M without real zeros
+    /// of M.
+    fn common(&self) -> UniPoly<Real> {
+        gcd_all(&self.numerators)
     }
 }
 

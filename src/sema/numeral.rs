@@ -22,7 +22,12 @@ fn nested(expr: &Expr, limit: u32, depth: usize) -> Option<Rational> {
         },
         ExprKind::Product(factors) => match factors.as_slice() {
             [(_, above), (ProductOp::Divide, below)] => {
-                Some(inner(above)?.times(&inner(below)?.inverse()?))
+                let (above, below) = (inner(above)?, inner(below)?);
+                let nonzero = !below.is_zero();
+                nonzero.then(|| {
+                    let numerator = above.numerator() * below.denominator();
+                    Rational::new(numerator, above.denominator() * below.numerator())
+                })
             }
             _ => None,
         },
