@@ -28,7 +28,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
 use std::sync::mpsc::channel;
 
-use clap::Parser;
+use clap::{CommandFactory, FromArgMatches};
 
 use arguments::{Arguments, Command};
 use interrupt::Interrupt;
@@ -43,7 +43,7 @@ const STACK_OF_LEVEL: usize = 32 << 10;
 /// Runs the command line of this process and returns its exit status.
 #[must_use]
 pub fn run() -> ExitCode {
-    let arguments = match Arguments::try_parse() {
+    let arguments = match arguments() {
         Ok(arguments) => arguments,
         Err(error) => return answer(&error).into(),
     };
@@ -75,6 +75,17 @@ pub fn run() -> ExitCode {
         return Status::Internal.into();
     };
     status.into()
+}
+
+/// The command line of this process.
+fn arguments() -> Result<Arguments, clap::Error> {
+    let mut command = Arguments::command();
+    let mut matches = command.try_get_matches_from_mut(std::env::args_os())?;
+    let arguments = Arguments::from_arg_matches_mut(&mut matches)
+        .map_err(|error| error.format(&mut Arguments::command()))?;
+    // Both hold hundreds of small pieces, which the end of the process takes away at once.
+    std::mem::forget((command, matches));
+    Ok(arguments)
 }
 
 /// What is printed instead of a run: help, the version, or what is wrong with the command line.

@@ -163,7 +163,7 @@ impl<'a> Lowerer<'a> {
         else {
             return Err(self.report_not_surface(expr.span));
         };
-        let surface = qualifier.as_ref().unwrap_or(name);
+        let surface = qualifier.as_deref().unwrap_or(name);
         if !self.is_surface(surface) {
             return Err(if self.definitions.contains_key(surface.text.as_str()) {
                 self.report_not_surface(expr.span)

@@ -198,7 +198,7 @@ pub enum ProductOp {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Reference {
     /// `c` of `c.σ`
-    pub qualifier: Option<Name>,
+    pub qualifier: Option<Box<Name>>,
     /// `σ` of `c.σ`
     pub name: Name,
     /// How many primes follow.

@@ -13,12 +13,12 @@
 #[must_use]
 pub fn canonical_name(word: &str) -> String {
     match word {
-        "sigma" => return "σ".to_owned(),
-        "kappa" => return "κ".to_owned(),
-        "rho" => return "ρ".to_owned(),
-        _ => {}
+        "sigma" => "σ".to_owned(),
+        "kappa" => "κ".to_owned(),
+        "rho" => "ρ".to_owned(),
+        _ if word.is_ascii() => word.to_owned(),
+        _ => word.chars().map(|c| folded(c).unwrap_or(c)).collect(),
     }
-    word.chars().map(|c| folded(c).unwrap_or(c)).collect()
 }
 
 /// The letter that a variant form of a Greek letter stands for.
@@ -35,20 +35,23 @@ fn folded(c: char) -> Option<char> {
 
 /// Whether a name may hold the character (an ASCII digit only behind its start).
 pub(super) fn is_name_character(c: char) -> bool {
-    c == '_'
-        || c.is_ascii_alphanumeric()
-        || matches!(c, 'Α'..='Ρ' | 'Σ'..='Ω' | 'α'..='ρ' | 'σ'..='ω')
-        || folded(c).is_some()
+    match c {
+        '\0'..='\x7F' => c == '_' || c.is_ascii_alphanumeric(),
+        'Α'..='Ρ' | 'Σ'..='Ω' | 'α'..='ρ' | 'σ'..='ω' => true,
+        _ => folded(c).is_some(),
+    }
 }
 
 /// Whether a word goes on with this character, be it right or a look-alike.
 pub(super) fn is_word_character(c: char) -> bool {
-    is_name_character(c)
-        || (!c.is_ascii()
-            && (is_invisible(c)
-                || matches!(c, '\u{300}'..='\u{36F}')
-                || c.is_alphabetic()
-                || letter_meant(c).is_some()))
+    is_name_character(c) || (!c.is_ascii() && looks_like_letter(c))
+}
+
+fn looks_like_letter(c: char) -> bool {
+    is_invisible(c)
+        || matches!(c, '\u{300}'..='\u{36F}')
+        || c.is_alphabetic()
+        || letter_meant(c).is_some()
 }
 
 /// Characters without width and those that reorder the line they stand in.

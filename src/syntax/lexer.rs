@@ -1,10 +1,9 @@
 //! Text to tokens: the first half of parsing.
 
-use nom::branch::alt;
-use nom::bytes::complete::{tag, take_till, take_while1};
+use nom::bytes::complete::{take_till, take_while, take_while1};
 use nom::character::complete::{anychar, char, digit1, one_of};
 use nom::combinator::{opt, recognize, value};
-use nom::{IResult, Parser};
+use nom::{IResult, Input, Parser};
 
 use super::characters::{
     canonical_name, is_invisible, is_name_character, is_word_character, letter_meant, reorders,
@@ -178,7 +177,12 @@ pub fn tokenize(file: FileId, text: &str, limits: &Limits) -> Lexed {
         at: if text.starts_with('\u{FEFF}') { 3 } else { 0 },
         lexed: Lexed::default(),
     };
-    while let Ok((rest, lexeme)) = lexeme(&text[lexer.at..]) {
+    loop {
+        let rest = text[lexer.at..].trim_start_matches([' ', '\t', '\n', '\r']);
+        lexer.at = text.len() - rest.len();
+        let Ok((rest, lexeme)) = lexeme(rest) else {
+            break;
+        };
         let end = text.len() - rest.len();
         lexer.accept(lexeme, end);
         lexer.at = end;
@@ -209,7 +213,6 @@ pub(super) fn name_text(word: &str) -> String {
 
 #[derive(Clone, Copy)]
 enum Lexeme {
-    Blank,
     Comment,
     Word,
     Number { malformed: bool },
@@ -221,27 +224,32 @@ enum Lexeme {
 
 type Read<'a, O> = IResult<&'a str, O>;
 
+/// The first character says what follows.
 fn lexeme(input: &str) -> Read<'_, Lexeme> {
-    let blank = take_while1(|c| matches!(c, ' ' | '\t' | '\n' | '\r'));
-    alt((
-        value(Lexeme::Blank, blank),
-        number,
-        value(Lexeme::Word, take_while1(is_word_character)),
-        sign.map(Lexeme::Sign),
-        value(Lexeme::Comment, (char('#'), line)),
-        string,
-        value(
-            Lexeme::Superscript,
-            take_while1(|c| superscript_meant(c).is_some()),
-        ),
-        anychar.map(Lexeme::Foreign),
-    ))
-    .parse(input)
+    let (rest, first) = anychar(input)?;
+    match first {
+        c if c.is_ascii_digit() => number(input),
+        c if is_word_character(c) => value(Lexeme::Word, take_while(is_word_character)).parse(rest),
+        '#' => value(Lexeme::Comment, line).parse(rest),
+        '"' => string(rest),
+        c if is_superscript(c) => {
+            value(Lexeme::Superscript, take_while(is_superscript)).parse(rest)
+        }
+        c => match sign(input) {
+            Some((rest, kind)) => Ok((rest, Lexeme::Sign(kind))),
+            None => Ok((rest, Lexeme::Foreign(c))),
+        },
+    }
+}
+
+fn is_superscript(c: char) -> bool {
+    superscript_meant(c).is_some()
 }
 
 /// All up to the end of the line.
 fn line(input: &str) -> Read<'_, &str> {
-    take_till(|c| matches!(c, '\n' | '\r')).parse(input)
+    let end = input.bytes().position(|byte| matches!(byte, b'\n' | b'\r'));
+    Ok(input.take_split(end.unwrap_or(input.len())))
 }
 
 /// Digits, a point and digits, an exponent: the longest match. What touches it and cannot follow
@@ -256,46 +264,47 @@ fn number(input: &str) -> Read<'_, Lexeme> {
     Ok((rest, Lexeme::Number { malformed }))
 }
 
+/// What follows the opening quote.
 fn string(input: &str) -> Read<'_, Lexeme> {
-    let (rest, _) = char('"').parse(input)?;
-    let (rest, _) = take_till(|c| matches!(c, '"' | '\n' | '\r')).parse(rest)?;
+    let (rest, _) = take_till(|c| matches!(c, '"' | '\n' | '\r')).parse(input)?;
     let (rest, closing) = opt(char('"')).parse(rest)?;
     let closed = closing.is_some();
     Ok((rest, Lexeme::Text { closed }))
 }
 
-fn sign(input: &str) -> Read<'_, TokenKind> {
+/// The longest sign that a text begins with, and what is behind it.
+fn sign(input: &str) -> Option<(&str, TokenKind)> {
     use TokenKind::*;
-    let relation = alt((
-        value(DoubleEqual, tag("==")),
-        value(NotEqual, tag("!=")),
-        value(LessOrEqual, tag("<=")),
-        value(GreaterOrEqual, tag(">=")),
-        value(Equal, tag("=")),
-        value(Less, tag("<")),
-        value(Greater, tag(">")),
-    ));
-    let operator = alt((
-        value(Plus, tag("+")),
-        value(Minus, alt((tag("-"), tag("−")))),
-        value(DoubleStar, tag("**")),
-        value(Star, alt((tag("*"), tag("·"), tag("×")))),
-        value(Slash, tag("/")),
-        value(Caret, tag("^")),
-        value(Prime, alt((tag("'"), tag("’"), tag("′")))),
-        value(DoublePrime, tag("″")),
-    ));
-    let punctuation = alt((
-        value(OpenParenthesis, tag("(")),
-        value(CloseParenthesis, tag(")")),
-        value(OpenBracket, tag("[")),
-        value(CloseBracket, tag("]")),
-        value(Comma, tag(",")),
-        value(Colon, tag(":")),
-        value(Semicolon, tag(";")),
-        value(Dot, tag(".")),
-    ));
-    alt((punctuation, operator, relation)).parse(input)
+    let mut characters = input.chars();
+    let first = characters.next()?;
+    let rest = characters.as_str();
+    let or_double = |single, second, double| match rest.strip_prefix(second) {
+        Some(rest) => (rest, double),
+        None => (rest, single),
+    };
+    Some(match first {
+        '(' => (rest, OpenParenthesis),
+        ')' => (rest, CloseParenthesis),
+        '[' => (rest, OpenBracket),
+        ']' => (rest, CloseBracket),
+        ',' => (rest, Comma),
+        ':' => (rest, Colon),
+        ';' => (rest, Semicolon),
+        '.' => (rest, Dot),
+        '+' => (rest, Plus),
+        '-' | '−' => (rest, Minus),
+        '*' => or_double(Star, '*', DoubleStar),
+        '·' | '×' => (rest, Star),
+        '/' => (rest, Slash),
+        '^' => (rest, Caret),
+        '\'' | '’' | '′' => (rest, Prime),
+        '″' => (rest, DoublePrime),
+        '=' => or_double(Equal, '=', DoubleEqual),
+        '<' => or_double(Less, '=', LessOrEqual),
+        '>' => or_double(Greater, '=', GreaterOrEqual),
+        '!' => (rest.strip_prefix('=')?, NotEqual),
+        _ => return None,
+    })
 }
 
 struct Lexer<'a> {
@@ -310,7 +319,6 @@ impl Lexer<'_> {
     /// Takes the lexeme that ends at `end`.
     fn accept(&mut self, lexeme: Lexeme, end: usize) {
         match lexeme {
-            Lexeme::Blank => {}
             Lexeme::Comment => {
                 self.inspect(end);
                 self.lexed.comments.push(Span::new(self.file, self.at, end));
@@ -418,7 +426,11 @@ impl Lexer<'_> {
 
     /// What no comment and no string may hold either.
     fn inspect(&mut self, end: usize) {
-        for (offset, c) in self.text[self.at..end].char_indices() {
+        let written = &self.text[self.at..end];
+        if written.is_ascii() && !written.contains('\0') {
+            return;
+        }
+        for (offset, c) in written.char_indices() {
             if c == '\0' || c == '\u{FEFF}' || reorders(c) {
                 let start = self.at + offset;
                 let span = Span::new(self.file, start, start + c.len_utf8());
@@ -471,7 +483,7 @@ impl Lexer<'_> {
         };
         self.report(finding.fix(span, meant));
         match sign(meant) {
-            Ok(("", kind)) => self.emit(kind, end),
+            Some(("", kind)) => self.emit(kind, end),
             _ if meant == " " => {}
             _ => self.emit(TokenKind::Unknown, end),
         }

@@ -309,7 +309,7 @@ fn name(name: &mut Name) {
 
 fn reference(of: &Reference) -> Reference {
     let mut own = of.clone();
-    own.qualifier.iter_mut().for_each(name);
+    own.qualifier.as_deref_mut().into_iter().for_each(name);
     name(&mut own.name);
     own.span = Span::default();
     own

@@ -7,7 +7,7 @@ use super::hint::{end_of, start_of};
 use super::piece::{Brackets, bracketed, comma, name, nested, token, too_deep};
 use super::stream::Stream;
 use crate::diag::{Code, Diagnostic};
-use crate::syntax::ast::{Argument, Expr, ExprKind, Name, ProductOp, Reference, Sign};
+use crate::syntax::ast::{Argument, Expr, ExprKind, ProductOp, Reference, Sign};
 use crate::syntax::lexer::TokenKind;
 
 /// `-a b + c`, the whole of an expression.
@@ -20,21 +20,33 @@ pub(super) fn expression(input: Stream<'_>) -> Parsed<'_, Expr> {
     if sign == Sign::Plus && sum_sign(rest).is_err() {
         return Ok((rest, first));
     }
-    let mut first = Some((sign, first));
-    let (rest, terms) = fold_many0(
-        (sum_sign, cut(product)),
-        move || first.take().into_iter().collect(),
-        appended,
-    )
-    .parse(rest)?;
+    let (rest, terms) = followed((sign, first), rest, |input| {
+        (sum_sign, cut(product)).parse(input)
+    })?;
     let span = input.span_until(rest);
     let kind = ExprKind::Sum(terms);
     Ok((rest, Expr { span, kind }))
 }
 
-fn appended<T>(mut list: Vec<T>, item: T) -> Vec<T> {
-    list.push(item);
-    list
+/// The first item and all that follow it; kept out of the frames of deep expressions.
+#[inline(never)]
+fn followed<'a, T>(
+    first: T,
+    mut rest: Stream<'a>,
+    next: impl Fn(Stream<'a>) -> Parsed<'a, T>,
+) -> Parsed<'a, Vec<T>> {
+    let mut list = Vec::with_capacity(4);
+    list.push(first);
+    loop {
+        match next(rest) {
+            Ok((behind, item)) => {
+                list.push(item);
+                rest = behind;
+            }
+            Err(nom::Err::Error(_)) => return Ok((rest, list)),
+            Err(error) => return Err(error),
+        }
+    }
 }
 
 fn sum_sign(input: Stream<'_>) -> Parsed<'_, Sign> {
@@ -48,22 +60,23 @@ fn sum_sign(input: Stream<'_>) -> Parsed<'_, Sign> {
 /// Factors joined by `*`, `/` or nothing.
 fn product(input: Stream<'_>) -> Parsed<'_, Expr> {
     let (rest, first) = factor(input)?;
-    let mut first = Some((ProductOp::Times, first));
-    let (rest, mut factors) = fold_many0(
-        next_factor,
-        move || first.take().into_iter().collect(),
-        appended,
-    )
-    .parse(rest)?;
-    if factors.len() == 1
-        && let Some((_, only)) = factors.pop()
-    {
-        return Ok((rest, only));
+    if !goes_on(rest.kind()) {
+        return Ok((rest, first));
     }
+    let (rest, factors) = followed((ProductOp::Times, first), rest, next_factor)?;
     warn_of_quotients(input, &factors);
     let span = input.span_until(rest);
     let kind = ExprKind::Product(factors);
     Ok((rest, Expr { span, kind }))
+}
+
+/// Whether a product goes on with a token.
+fn goes_on(next: TokenKind) -> bool {
+    use TokenKind::*;
+    matches!(
+        next,
+        Star | DoubleStar | Slash | Name | Number | OpenParenthesis
+    )
 }
 
 fn next_factor(input: Stream<'_>) -> Parsed<'_, (ProductOp, Expr)> {
@@ -398,10 +411,10 @@ fn named(input: Stream<'_>) -> Parsed<'_, Expr> {
 /// `c`, `c.σ`, `f'`, `c.σ''`
 fn reference(input: Stream<'_>) -> Parsed<'_, Reference> {
     let (mut rest, mut last) = name(input)?;
-    let mut qualifier: Option<Name> = None;
+    let mut qualifier = None;
     if rest.kind() == TokenKind::Dot {
         let (after, property) = cut(name).parse(rest.take_from(1))?;
-        qualifier = Some(std::mem::replace(&mut last, property));
+        qualifier = Some(Box::new(std::mem::replace(&mut last, property)));
         rest = after;
     }
     let start = rest;
