@@ -35,6 +35,9 @@ pub trait Ring: Clone + PartialEq + Eq + Debug + Send + Sync + 'static {
     fn convolution(left: &[Self], right: &[Self]) -> Vec<Self>;
     /// The coefficients of Σ aₖ xᵏ (1+x)ⁿ⁻ᵏ for n + 1 numbers aₖ or fewer.
     fn binomial_sums(powers: &[Self], degree: usize) -> Vec<Self>;
+    /// The Bernstein coefficients on both halves of an interval, all times 2ⁿ, from those on the
+    /// interval.
+    fn halves(coefficients: Vec<Self>) -> (Vec<Self>, Vec<Self>);
     /// −a
     #[must_use]
     fn negated(&self) -> Self;

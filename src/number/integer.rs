@@ -4,7 +4,7 @@ use std::str::FromStr;
 
 use num_bigint::BigInt;
 
-use super::{Basis, Leading, Place, Ring, binomial_sums, convolution, gcd};
+use super::{Basis, Leading, Place, Ring, binomial_sums, convolution, gcd, halves};
 
 /// A rational integer of any size.
 ///
@@ -359,6 +359,11 @@ impl Ring for Integer {
     fn binomial_sums(powers: &[Self], degree: usize) -> Vec<Self> {
         binomial_sums::of_integers(powers, degree, |own| own)
             .unwrap_or_else(|| binomial_sums::one_by_one(powers, degree))
+    }
+
+    fn halves(coefficients: Vec<Self>) -> (Vec<Self>, Vec<Self>) {
+        halves::in_machine_numbers(&coefficients, |own| own)
+            .unwrap_or_else(|| halves::one_by_one(coefficients))
     }
 
     fn negated(&self) -> Self {

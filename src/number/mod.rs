@@ -13,6 +13,7 @@ mod divisor;
 mod enclosure;
 mod field;
 mod generator;
+mod halves;
 mod integer;
 mod leading;
 mod modulus;

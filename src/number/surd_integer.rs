@@ -4,7 +4,7 @@ use std::fmt;
 use super::enclosure::refine;
 use super::{
     Basis, Enclosure, Generator, Integer, Leading, Place, Ring, binomial_sums, convolution, gcd,
-    surd_list,
+    halves, surd_list,
 };
 
 /// A numerator of a tower of real fields: an element of ℤ[√a₁, √a₂, …] with integral radicands.
@@ -299,6 +299,11 @@ impl Ring for SurdInteger {
     fn binomial_sums(powers: &[Self], degree: usize) -> Vec<Self> {
         binomial_sums::of_integers(powers, degree, Self::Rational)
             .unwrap_or_else(|| surd_list::sums_by_parts(powers, degree))
+    }
+
+    fn halves(coefficients: Vec<Self>) -> (Vec<Self>, Vec<Self>) {
+        halves::in_machine_numbers(&coefficients, Self::Rational)
+            .unwrap_or_else(|| halves::one_by_one(coefficients))
     }
 
     fn negated(&self) -> Self {

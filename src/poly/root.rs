@@ -254,7 +254,7 @@ fn isolate<F: Field>(polynomial: &UniPoly<F>, from: &F, to: &F) -> Result<Vec<(F
             0 => {}
             1 => intervals.push((place(&index, depth), place(&(&index + 1), depth))),
             _ => {
-                let (left, right) = halves(coefficients);
+                let (left, right) = F::Ring::halves(coefficients);
                 let index = index * 2;
                 let middle = &index + 1;
                 if right.first().is_some_and(Ring::is_zero) {
@@ -278,23 +278,6 @@ fn integral_bernstein<F: Field>(polynomial: &UniPoly<F>, from: &F, to: &F) -> Ve
         .zip(&integral_scales(degree))
         .map(|(own, scale)| own.scaled(scale))
         .collect()
-}
-
-/// The Bernstein coefficients on both halves, all times 2ⁿ: sums in place of means.
-pub(super) fn halves<R: Ring>(mut row: Vec<R>) -> (Vec<R>, Vec<R>) {
-    let degree = row.len().saturating_sub(1);
-    let mut left = Vec::with_capacity(row.len());
-    for step in 0..=degree {
-        let scale = Integer::from(1) << (degree - step);
-        left.push(row[0].scaled(&scale));
-        // row[..len − step] is the next line of the triangle; the side stays behind it.
-        let last = degree - step;
-        for index in 0..last {
-            row[index] = row[index].plus(&row[index + 1]);
-        }
-        row[last] = row[last].scaled(&scale);
-    }
-    (left, row)
 }
 
 /// The number of changes of sign, zeros left out.
@@ -348,7 +331,7 @@ mod tests {
         let scale = Rational::from(8);
         let scaled =
             |side: Vec<Rational>| side.iter().map(|own| (own * &scale).parts().0).collect();
-        assert_eq!(halves(row), (scaled(left), scaled(right)));
+        assert_eq!(Ring::halves(row), (scaled(left), scaled(right)));
     }
 
     #[test]

@@ -1,7 +1,6 @@
 use std::cmp::Ordering;
 
 use super::bernstein::{integral_scales, scaled_bernstein};
-use super::root::halves;
 use super::{BiPoly, UniPoly};
 use crate::number::{Field, Integer, Ring, lcm};
 
@@ -97,7 +96,7 @@ impl<R: Ring> Tensor<R> {
 
     /// Both halves in v.
     pub(super) fn halves_v(self) -> (Self, Self) {
-        let (left, right) = self.rows.into_iter().map(halves).unzip();
+        let (left, right) = self.rows.into_iter().map(R::halves).unzip();
         (Self { rows: left }, Self { rows: right })
     }
 
@@ -109,7 +108,8 @@ impl<R: Ring> Tensor<R> {
 
     fn transpose(self) -> Self {
         let width = self.rows.first().map_or(0, Vec::len);
-        let mut columns: Vec<Vec<R>> = (0..width).map(|_| Vec::new()).collect();
+        let empty = || Vec::with_capacity(self.rows.len());
+        let mut columns: Vec<Vec<R>> = (0..width).map(|_| empty()).collect();
         for row in self.rows {
             for (column, own) in columns.iter_mut().zip(row) {
                 column.push(own);
