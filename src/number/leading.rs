@@ -119,7 +119,7 @@ impl Leading {
 
     /// a b
     ///
-    /// |(m ± e)(n ± f) − mn| ≤ |m| f + |n| e + e f < (e + f + 1) 2¹²⁴, of which 2¹²⁸ are a unit.
+    /// |(m ± e)(n ± f) − mn| ≤ |m| f + |n| e + e f < (e + f) 2¹²⁴ + 2¹²⁸, of which 2¹²⁸ are a unit.
     #[must_use]
     pub fn times(self, other: Self) -> Option<Self> {
         let size = high_product(self.mantissa.unsigned_abs(), other.mantissa.unsigned_abs());

@@ -119,10 +119,9 @@ impl HomogeneousSurface {
     /// The surface of given W, X, Y, Z on a domain.
     fn scaled(coordinates: [BiPoly<Real>; 4], domain: &Domain) -> Self {
         let start = start(&coordinates[0], domain);
-        let inverse = || start.inverse().unwrap_or_else(Real::one);
         if !start.is_rational() && is_rational_up_to_a_factor(&coordinates[0]) {
             // A rational weight makes all that follows cheaper.
-            let inverse = inverse();
+            let inverse = start.inverse().unwrap_or_else(Real::one);
             return Self::new(coordinates.map(|own| own.scale(&inverse)));
         }
         Self {
