@@ -88,10 +88,14 @@ mod tests {
         let number = |index: usize| {
             let digit = |step: usize| {
                 let own = (index * index + seed * step + 5 * step) % 7;
-                let sign = if (index + step) % 2 == 0 { 1 } else { -1 };
+                let sign = if (index + step).is_multiple_of(2) {
+                    1
+                } else {
+                    -1
+                };
                 let power = u32::try_from(40 * (own % 3)).unwrap_or_default();
                 SurdInteger::from_integer(
-                    &(Integer::from(own * usize::from(own > 2)) * sign << power),
+                    &((Integer::from(own * usize::from(own > 2)) * sign) << power),
                 )
             };
             let below = |step: usize| match levels {
