@@ -1,9 +1,9 @@
 /* Without the structure: polynomials in u and v, their gcd, exact division. */
 #include "sweep.h"
 
-#include <stdlib.h>
-
 #include <flint/fmpz_mpoly.h>
+#include <flint/fmpz_poly.h>
+#include <flint/fmpz_vec.h>
 
 enum variable { U, V, VARIABLES };
 
@@ -76,45 +76,36 @@ static void reduce(fmpz_mpoly_struct *coordinates)
     fmpz_mpoly_clear(factor, ring());
 }
 
-/* From power coefficients aᵢ to scaled Bernstein coefficients Σ C(n−i, j−i) aᵢ. */
-typedef struct conversion {
-    slong n;
-    fmpz_mat_t rows, columns;
-    struct conversion *next;
-} conversion;
-
-static const conversion *conversion_to(slong n)
+/* From power coefficients aᵢ, in the order n, …, 0, to scaled Bernstein coefficients in that order:
+   Σ aᵢ (1 + x)ⁿ⁻ⁱ xⁱ is the polynomial with these coefficients, shifted by 1 and reversed. */
+static void to_bernstein(fmpz *reversed, slong n)
 {
-    static conversion *known;
-    for (const conversion *own = known; own; own = own->next)
-        if (own->n == n)
-            return own;
-    conversion *own = flint_malloc(sizeof *own);
-    own->n = n;
-    fmpz_mat_init(own->rows, n + 1, n + 1);
-    fmpz_mat_init(own->columns, n + 1, n + 1);
-    for (slong j = 0; j <= n; j++)
-        for (slong i = 0; i <= j; i++)
-            fmpz_bin_uiui(fmpz_mat_entry(own->rows, j, i), n - i, j - i);
-    fmpz_mat_transpose(own->columns, own->rows);
-    own->next = known;
-    return known = own;
+    fmpz_t one;
+    fmpz_init_set_ui(one, 1);
+    _fmpz_poly_taylor_shift(reversed, one, n + 1);
+    fmpz_clear(one);
 }
 
 static void convert(fmpz_mat_t net, const fmpz_mpoly_t own)
 {
     slong du = fmpz_mat_nrows(net) - 1, dv = fmpz_mat_ncols(net) - 1, degrees[VARIABLES];
-    fmpz_mat_t powers, along_u;
-    fmpz_mat_init(powers, du + 1, dv + 1);
-    fmpz_mat_init(along_u, du + 1, dv + 1);
     for (slong i = 0; i < fmpz_mpoly_length(own, ring()); i++) {
         fmpz_mpoly_get_term_exp_si(degrees, own, i, ring());
-        fmpz_mpoly_get_term_coeff_fmpz(fmpz_mat_entry(powers, degrees[U], degrees[V]), own, i, ring());
+        fmpz_mpoly_get_term_coeff_fmpz(fmpz_mat_entry(net, degrees[U], dv - degrees[V]), own, i, ring());
     }
-    fmpz_mat_mul(along_u, conversion_to(du)->rows, powers);
-    fmpz_mat_mul(net, along_u, conversion_to(dv)->columns);
-    fmpz_mat_clear(powers);
-    fmpz_mat_clear(along_u);
+    for (slong i = 0; i <= du; i++) {
+        to_bernstein(net->rows[i], dv);
+        _fmpz_poly_reverse(net->rows[i], net->rows[i], dv + 1, dv + 1);
+    }
+    fmpz *column = _fmpz_vec_init(du + 1);
+    for (slong j = 0; j <= dv; j++) {
+        for (slong i = 0; i <= du; i++)
+            fmpz_swap(column + du - i, fmpz_mat_entry(net, i, j));
+        to_bernstein(column, du);
+        for (slong i = 0; i <= du; i++)
+            fmpz_swap(column + du - i, fmpz_mat_entry(net, i, j));
+    }
+    _fmpz_vec_clear(column, du + 1);
 }
 
 net bivariate(const sweep *own)
