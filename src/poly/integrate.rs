@@ -33,6 +33,11 @@ pub enum Antiderivative<F: Field> {
 /// A zero denominator counts as 1.
 #[must_use]
 pub fn integrate<F: Field>(numerator: &UniPoly<F>, denominator: &UniPoly<F>) -> Antiderivative<F> {
+    if denominator.is_constant()
+        && let Some(inverse) = denominator.leading_coefficient().inverse()
+    {
+        return polynomial_result(&numerator.scale(&inverse).antiderivative());
+    }
     let common = gcd(numerator, denominator);
     let reduce = |polynomial: &UniPoly<F>| polynomial.exact_div(&common);
     let (Some(top), Some(bottom)) = (reduce(numerator), reduce(denominator)) else {
