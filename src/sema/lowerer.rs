@@ -87,10 +87,12 @@ pub(super) struct Lowerer<'a> {
 
 impl<'a> Lowerer<'a> {
     fn new(sources: &'a Sources<'a>) -> Self {
+        let documents = sources.library.iter().chain(sources.documents);
+        let items = documents.map(|own| own.items.len()).sum();
         Self {
             sources,
             tower: Tower::new(sources.limits.field_degree),
-            definitions: HashMap::new(),
+            definitions: HashMap::with_capacity(items),
             meanings: HashMap::new(),
             pending: Vec::new(),
             diagnostics: Diagnostics::default(),
@@ -178,7 +180,7 @@ impl<'a> Lowerer<'a> {
         let Some((name, form)) = definition_of(&item.declaration) else {
             return;
         };
-        if RESERVED.contains(&name.text.as_str()) {
+        if !library && RESERVED.contains(&name.text.as_str()) {
             let finding = Diagnostic::new(
                 Code::E0103,
                 name.span,
