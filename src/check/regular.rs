@@ -1,5 +1,7 @@
 use crate::number::Real;
-use crate::poly::{BiPoly, ZeroSet, Zeros, never_vanish_together, zeros_by_subdivision};
+use crate::poly::{
+    BiPoly, ZeroSet, Zeros, common_zeros_of_products, never_vanish_together, zeros_by_subdivision,
+};
 use crate::sweep::Domain;
 
 use super::Verdict;
@@ -11,8 +13,9 @@ const PIECES: usize = 64;
 /// Whether R_u × R_v is nowhere zero on the closed domain, and places where it is zero.
 ///
 /// R_u × R_v = a(u) b(v) F D / W³ vanishes where a, b, F or D does, and D where all its
-/// components do. Subdivision decides this for most surfaces; what it leaves open stays undecided
-/// here.
+/// components do. Where those are products f(u) g(v), as for all translations of a profile, their
+/// common zeros are known; else subdivision decides for most surfaces, and what it leaves open stays
+/// undecided here.
 pub(super) fn regular(
     direction: &NormalDirection,
     domain: &Domain,
@@ -24,8 +27,13 @@ pub(super) fn regular(
     let vector = &direction.vector;
     let lines = BiPoly::product(&vector.in_u, &vector.in_v);
     let mut found = vec![zeros(&lines), zeros(&vector.mixed)];
-    if !direction_is_regular(&vector.direction, domain) {
-        found.push(zeros(&direction.length()));
+    let known = known_zeros(&vector.direction, domain);
+    let is_regular = match &known {
+        Some(own) => own.is_empty(),
+        None => direction_is_regular(&vector.direction, domain),
+    };
+    if !is_regular {
+        found.push(zeros(&direction.length()).or_else(|| known.map(Zeros::Some)));
     }
     let mut places = Vec::new();
     for zeros in found.iter().flatten() {
@@ -41,6 +49,13 @@ pub(super) fn regular(
         )),
     };
     (verdict, places)
+}
+
+/// The zeros of D, if its components are products.
+fn known_zeros(direction: &[BiPoly<Real>; 3], domain: &Domain) -> Option<Vec<ZeroSet<Real>>> {
+    let (u, v) = (&domain.u, &domain.v);
+    let (u, v) = ((u.start(), u.end()), (v.start(), v.end()));
+    common_zeros_of_products(&direction.each_ref(), u, v)
 }
 
 /// Whether subdivision shows that D vanishes nowhere on the domain, without D·D.

@@ -1,7 +1,8 @@
 use std::collections::VecDeque;
 
-use super::BiPoly;
 use super::tensor::Tensor;
+use super::zero_set::points;
+use super::{BiPoly, UniPoly, ZeroKind, ZeroSet, gcd_all};
 use crate::number::Field;
 
 /// Whether subdivision into at most so many pieces shows that some polynomials have no common zero
@@ -42,11 +43,79 @@ pub fn never_vanish_together<F: Field>(
     true
 }
 
+/// How many products are looked at: each doubles the work.
+const PRODUCTS: usize = 8;
+
+/// All common zeros, in a closed box that is not empty, of polynomials that are products f(u) g(v);
+/// none if one of them is not, or if all are 0.
+///
+/// At a common zero some of the f vanish together, and of the others the g: each choice of some is
+/// two univariate greatest common divisors.
+///
+/// - **holds** the list is complete, and empty only if there is no common zero; a zero that several
+///   choices find may stand in it several times, also on its line
+#[must_use]
+pub fn common_zeros_of_products<F: Field>(
+    polynomials: &[&BiPoly<F>],
+    u: (&F, &F),
+    v: (&F, &F),
+) -> Option<Vec<ZeroSet<F>>> {
+    let products = polynomials.iter().filter(|own| !own.is_zero());
+    let factors = products.map(|own| match own.terms() {
+        [(in_u, in_v)] => Some((in_u, in_v)),
+        _ => None,
+    });
+    let factors: Vec<_> = factors.collect::<Option<_>>()?;
+    if factors.is_empty() || factors.len() > PRODUCTS {
+        return None;
+    }
+    let all = (1_u32 << factors.len()) - 1;
+    let mut zeros = Vec::new();
+    for choice in 0..=all {
+        let (chosen, others): (Vec<_>, Vec<_>) = factors
+            .iter()
+            .enumerate()
+            .partition(|(index, _)| choice >> index & 1 == 1);
+        let in_u = places(chosen.iter().map(|(_, own)| own.0), u);
+        let in_v = places(others.iter().map(|(_, own)| own.1), v);
+        let kind = match choice {
+            0 => ZeroKind::LineV,
+            _ if choice == all => ZeroKind::LineU,
+            _ => ZeroKind::Point,
+        };
+        for u in &in_u {
+            let found = in_v.iter().map(|v| ZeroSet {
+                kind,
+                u: u.clone(),
+                v: v.clone(),
+            });
+            let new: Vec<_> = found.filter(|own| !zeros.contains(own)).collect();
+            zeros.extend(new);
+        }
+    }
+    Some(zeros)
+}
+
+/// The common zeros of some polynomials in a range; of none, the whole range.
+fn places<'a, F: Field>(
+    polynomials: impl ExactSizeIterator<Item = &'a UniPoly<F>>,
+    range: (&F, &F),
+) -> Vec<(F, F)> {
+    if polynomials.len() == 0 {
+        return vec![(range.0.clone(), range.1.clone())];
+    }
+    let common = gcd_all(polynomials);
+    if common.is_constant() {
+        Vec::new()
+    } else {
+        points(&common, range)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::number::Rational;
-    use crate::poly::UniPoly;
 
     #[test]
     fn crossing_lines_meet_and_parallel_lines_do_not() {
@@ -67,5 +136,65 @@ mod tests {
         assert!(apart(&diagonal, &line(-1, 3, -3)));
         assert!(apart(&diagonal, &line(-1, 5, -5)));
         assert!(!apart(&diagonal, &diagonal));
+    }
+
+    #[test]
+    fn products_vanish_together_where_their_factors_do() {
+        let polynomial = |own: &[i64]| {
+            let own: Vec<_> = own.iter().map(|own| Rational::from(*own)).collect();
+            UniPoly::from_coefficients(&own)
+        };
+        let product =
+            |in_u: &[i64], in_v: &[i64]| BiPoly::product(&polynomial(in_u), &polynomial(in_v));
+        let (zero, one) = (Rational::from(0), Rational::from(1));
+        let zeros = |list: &[&BiPoly<Rational>]| {
+            common_zeros_of_products(list, (&zero, &one), (&zero, &one))
+        };
+        // the normal of c(v) + p(u) with z′ = 2u² − 1 and a tangent along x at v = 1/3:
+        // (−z′ c′_y, z′ c′_x, x′ c′_y)
+        let (slope, rise) = ([-1, 0, 2], [-1, 3]);
+        let normal = [
+            product(&slope, &rise),
+            product(&slope, &[1, 1]),
+            product(&[1], &rise),
+        ];
+        let found = zeros(&normal.each_ref()).unwrap_or_default();
+        let third = Rational::new(1.into(), 3.into());
+        assert_eq!(found.len(), 1);
+        assert_eq!(
+            (found[0].kind, &found[0].v),
+            (ZeroKind::Point, &(third.clone(), third))
+        );
+        let (low, high) = &found[0].u;
+        let square = |own: &Rational| own * own;
+        let half = Rational::new(1.into(), 2.into());
+        assert!(square(low) < half && half < square(high));
+        // With a tangent that never points along x there is none.
+        let other = [
+            product(&slope, &[1, 1]),
+            product(&slope, &rise),
+            product(&[1], &[1, 1]),
+        ];
+        assert_eq!(zeros(&other.each_ref()), Some(Vec::new()));
+        // A line, where all have a factor; sums of products are not looked at.
+        let line = [
+            product(&[-1, 2], &[1]),
+            product(&[-1, 2], &[0, 1]),
+            BiPoly::zero(),
+        ];
+        let found = zeros(&line.each_ref()).unwrap_or_default();
+        assert!(
+            found
+                .iter()
+                .any(|own| own.kind == ZeroKind::LineU && own.v.1 == one)
+        );
+        assert!(
+            found
+                .iter()
+                .all(|own| own.u.0 == own.u.1 && &own.u.0 + &own.u.1 == one)
+        );
+        let sum = &product(&[0, 1], &[1]) + &product(&[1], &[0, 1]);
+        assert_eq!(zeros(&[&sum]), None);
+        assert_eq!(zeros(&[&BiPoly::zero()]), None);
     }
 }

@@ -39,7 +39,7 @@ pub use bi::BiPoly;
 pub use bidegree::BiDegree;
 pub use bigcd::{exact_div_bi, gcd_bi};
 pub use bisquare::{BiSquareTest, square_test_bi, sum_of_squares_refuted};
-pub use common_zero::never_vanish_together;
+pub use common_zero::{common_zeros_of_products, never_vanish_together};
 pub use content::{common_factor_u, common_factor_v};
 pub use coprimality::Coprimality;
 pub use fraction::{Denominator, Fraction};
