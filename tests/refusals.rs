@@ -246,6 +246,25 @@ fn square_roots() {
 }
 
 #[test]
+fn translations_are_singular_where_profile_and_curve_are_parallel() {
+    let surface = |preimage: &str| {
+        format!(
+            "profile p(u) in xz = (u, u - u^3)
+sweep c(v) in xy = ph(start: (0, 0), preimage: [{preimage}])
+surface R = c(v) + 1/2 n(v) + (x(u), 0, z(u))"
+        )
+    };
+    // z′ = 0 at u = 1/√3, and the curve runs along x at v = 1/2, or nowhere.
+    says(
+        &surface("(3, 1), (3, -1)"),
+        &["W1011"],
+        &["R_u × R_v is zero at u in [591/1024, 37/64], v = 1/2"],
+    );
+    let regular = surface("(3, 1), (3, 2)") + "\nexpect regular(R)";
+    says(&regular, &[], &[]);
+}
+
+#[test]
 fn cusps_and_shared_zeros_are_warnings() {
     // w = 1 − 2v
     says(

@@ -61,9 +61,9 @@ pub fn common_zeros_of_products<F: Field>(
     v: (&F, &F),
 ) -> Option<Vec<ZeroSet<F>>> {
     let products = polynomials.iter().filter(|own| !own.is_zero());
-    let factors = products.map(|own| match own.terms() {
-        [(in_u, in_v)] => Some((in_u, in_v)),
-        _ => None,
+    let factors = products.map(|own| {
+        let (in_u, in_v, rest) = own.split()?;
+        rest.as_constant().map(|_| (in_u, in_v))
     });
     let factors: Vec<_> = factors.collect::<Option<_>>()?;
     if factors.is_empty() || factors.len() > PRODUCTS {
@@ -76,8 +76,8 @@ pub fn common_zeros_of_products<F: Field>(
             .iter()
             .enumerate()
             .partition(|(index, _)| choice >> index & 1 == 1);
-        let in_u = places(chosen.iter().map(|(_, own)| own.0), u);
-        let in_v = places(others.iter().map(|(_, own)| own.1), v);
+        let in_u = places(chosen.iter().map(|(_, own)| &own.0), u);
+        let in_v = places(others.iter().map(|(_, own)| &own.1), v);
         let kind = match choice {
             0 => ZeroKind::LineV,
             _ if choice == all => ZeroKind::LineU,
@@ -176,7 +176,11 @@ mod tests {
             product(&[1], &[1, 1]),
         ];
         assert_eq!(zeros(&other.each_ref()), Some(Vec::new()));
-        // A line, where all have a factor; sums of products are not looked at.
+        // A product may be written as a sum.
+        let parts = [product(&[0, 0, 2], &rise), product(&[-1], &rise)];
+        let written = &parts[0] + &parts[1];
+        assert_eq!(zeros(&[&written, &normal[1], &normal[2]]), Some(found));
+        // A line, where all have a factor; what is no product is not looked at.
         let line = [
             product(&[-1, 2], &[1]),
             product(&[-1, 2], &[0, 1]),
