@@ -117,14 +117,25 @@ mod tests {
     use super::*;
     use crate::number::Rational;
 
+    fn polynomial(own: &[i64]) -> UniPoly<Rational> {
+        let own: Vec<_> = own.iter().map(|own| Rational::from(*own)).collect();
+        UniPoly::from_coefficients(&own)
+    }
+
+    fn product(in_u: &[i64], in_v: &[i64]) -> BiPoly<Rational> {
+        BiPoly::product(&polynomial(in_u), &polynomial(in_v))
+    }
+
+    /// On [0, 1] × [0, 1].
+    fn zeros(list: &[&BiPoly<Rational>]) -> Option<Vec<ZeroSet<Rational>>> {
+        let (zero, one) = (Rational::from(0), Rational::from(1));
+        common_zeros_of_products(list, (&zero, &one), (&zero, &one))
+    }
+
     #[test]
     fn crossing_lines_meet_and_parallel_lines_do_not() {
         let line = |constant: i64, u: i64, v: i64| {
-            let row = |own: &[i64]| {
-                let own: Vec<_> = own.iter().map(|own| Rational::from(*own)).collect();
-                UniPoly::from_coefficients(&own)
-            };
-            BiPoly::from_rows(&[row(&[constant, v]), row(&[u])])
+            BiPoly::from_rows(&[polynomial(&[constant, v]), polynomial(&[u])])
         };
         let (zero, one) = (Rational::from(0), Rational::from(1));
         let apart = |first: &BiPoly<Rational>, second: &BiPoly<Rational>| {
@@ -140,62 +151,38 @@ mod tests {
 
     #[test]
     fn products_vanish_together_where_their_factors_do() {
-        let polynomial = |own: &[i64]| {
-            let own: Vec<_> = own.iter().map(|own| Rational::from(*own)).collect();
-            UniPoly::from_coefficients(&own)
-        };
-        let product =
-            |in_u: &[i64], in_v: &[i64]| BiPoly::product(&polynomial(in_u), &polynomial(in_v));
-        let (zero, one) = (Rational::from(0), Rational::from(1));
-        let zeros = |list: &[&BiPoly<Rational>]| {
-            common_zeros_of_products(list, (&zero, &one), (&zero, &one))
-        };
         // the normal of c(v) + p(u) with z′ = 2u² − 1 and a tangent along x at v = 1/3:
         // (−z′ c′_y, z′ c′_x, x′ c′_y)
-        let (slope, rise) = ([-1, 0, 2], [-1, 3]);
-        let normal = [
-            product(&slope, &rise),
-            product(&slope, &[1, 1]),
-            product(&[1], &rise),
-        ];
+        let (slope, rise, run) = ([-1, 0, 2], [-1, 3], [1, 1]);
+        let normal = [(&slope[..], rise), (&slope, run), (&[1], rise)];
+        let normal = normal.map(|(in_u, in_v)| product(in_u, &in_v));
         let found = zeros(&normal.each_ref()).unwrap_or_default();
         let third = Rational::new(1.into(), 3.into());
         assert_eq!(found.len(), 1);
-        assert_eq!(
-            (found[0].kind, &found[0].v),
-            (ZeroKind::Point, &(third.clone(), third))
-        );
-        let (low, high) = &found[0].u;
+        assert_eq!(found[0].kind, ZeroKind::Point);
+        assert_eq!(found[0].v, (third.clone(), third));
         let square = |own: &Rational| own * own;
         let half = Rational::new(1.into(), 2.into());
-        assert!(square(low) < half && half < square(high));
-        // With a tangent that never points along x there is none.
-        let other = [
-            product(&slope, &[1, 1]),
-            product(&slope, &rise),
-            product(&[1], &[1, 1]),
-        ];
-        assert_eq!(zeros(&other.each_ref()), Some(Vec::new()));
+        assert!(square(&found[0].u.0) < half && half < square(&found[0].u.1));
         // A product may be written as a sum.
-        let parts = [product(&[0, 0, 2], &rise), product(&[-1], &rise)];
-        let written = &parts[0] + &parts[1];
+        let written = &product(&[0, 0, 2], &rise) + &product(&[-1], &rise);
         assert_eq!(zeros(&[&written, &normal[1], &normal[2]]), Some(found));
-        // A line, where all have a factor; what is no product is not looked at.
-        let line = [
-            product(&[-1, 2], &[1]),
-            product(&[-1, 2], &[0, 1]),
-            BiPoly::zero(),
-        ];
-        let found = zeros(&line.each_ref()).unwrap_or_default();
+        // With a tangent that never points along x there is none.
+        let other = [(&slope[..], run), (&slope, rise), (&[1], run)];
+        let other = other.map(|(in_u, in_v)| product(in_u, &in_v));
+        assert_eq!(zeros(&other.each_ref()), Some(Vec::new()));
+    }
+
+    #[test]
+    fn lines_are_among_the_zeros_and_sums_are_not_looked_at() {
+        let line = [product(&[-1, 2], &[1]), product(&[-1, 2], &[0, 1])];
+        let found = zeros(&[&line[0], &line[1], &BiPoly::zero()]).unwrap_or_default();
+        let half = Rational::new(1.into(), 2.into());
+        assert!(found.iter().any(|own| own.kind == ZeroKind::LineU));
         assert!(
             found
                 .iter()
-                .any(|own| own.kind == ZeroKind::LineU && own.v.1 == one)
-        );
-        assert!(
-            found
-                .iter()
-                .all(|own| own.u.0 == own.u.1 && &own.u.0 + &own.u.1 == one)
+                .all(|own| own.u == (half.clone(), half.clone()))
         );
         let sum = &product(&[0, 1], &[1]) + &product(&[1], &[0, 1]);
         assert_eq!(zeros(&[&sum]), None);
