@@ -27,13 +27,16 @@ pub(super) fn regular(
     let vector = &direction.vector;
     let lines = BiPoly::product(&vector.in_u, &vector.in_v);
     let mut found = vec![zeros(&lines), zeros(&vector.mixed)];
-    let known = known_zeros(&vector.direction, domain);
-    let is_regular = match &known {
-        Some(own) => own.is_empty(),
-        None => direction_is_regular(&vector.direction, domain),
-    };
-    if !is_regular {
-        found.push(zeros(&direction.length()).or_else(|| known.map(Zeros::Some)));
+    // The whole domain is one piece, which is often enough.
+    if !direction_is_regular(&vector.direction, domain, 1) {
+        let known = known_zeros(&vector.direction, domain);
+        let is_regular = match &known {
+            Some(own) => own.is_empty(),
+            None => direction_is_regular(&vector.direction, domain, PIECES),
+        };
+        if !is_regular {
+            found.push(zeros(&direction.length()).or_else(|| known.map(Zeros::Some)));
+        }
     }
     let mut places = Vec::new();
     for zeros in found.iter().flatten() {
@@ -58,9 +61,9 @@ fn known_zeros(direction: &[BiPoly<Real>; 3], domain: &Domain) -> Option<Vec<Zer
     common_zeros_of_products(&direction.each_ref(), u, v)
 }
 
-/// Whether subdivision shows that D vanishes nowhere on the domain, without D·D.
-fn direction_is_regular(direction: &[BiPoly<Real>; 3], domain: &Domain) -> bool {
+/// Whether subdivision into so many pieces shows that D vanishes nowhere on the domain, without D·D.
+fn direction_is_regular(direction: &[BiPoly<Real>; 3], domain: &Domain, pieces: usize) -> bool {
     let (u, v) = (&domain.u, &domain.v);
     let (u, v) = ((u.start(), u.end()), (v.start(), v.end()));
-    never_vanish_together(&direction.each_ref(), u, v, PIECES)
+    never_vanish_together(&direction.each_ref(), u, v, pieces)
 }
