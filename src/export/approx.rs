@@ -3,9 +3,9 @@
     reason = "the one place where exact numbers become doubles"
 )]
 
-use crate::number::{Field, Integer, Rational, Real, Ring};
+use crate::number::{Field, Integer, Leading, Rational, Real, Ring};
 
-use super::bracket::Bracket;
+use super::rounded::Rounded;
 
 /// The bits of a double below its exponent.
 const FRACTION_BITS: i64 = Precision::Double.fraction_bits();
@@ -92,8 +92,10 @@ impl Double {
         if numerator.is_zero() {
             return Some(Self::default());
         }
-        let leading = || Bracket::of_leading(numerator.leading()?, divisor.leading()?);
-        let nearest = || Self::in_bracket(precision, leading()?, numerator, divisor);
+        let nearest = || {
+            let quotient = numerator.leading()?.times(divisor.leading()?.inverse()?)?;
+            Self::led(precision, quotient, numerator, divisor)
+        };
         nearest().or_else(|| {
             let whole = |own: &R| Real::from_parts(own.clone(), Integer::from(1));
             let exact = whole(numerator).times(&whole(divisor).inverse()?);
@@ -108,21 +110,41 @@ impl Double {
         })
     }
 
-    /// The number of a format nearest to n/d, which is not 0; none where the bracket is too wide,
+    /// The double nearest to every number with some leading digits; none where these do not decide,
     /// or where it is not normal.
-    fn in_bracket<R: Ring>(
+    #[must_use]
+    pub(super) fn nearest_to_leading(leading: Leading) -> Option<Self> {
+        if leading.sign().is_eq() {
+            return Some(Self::default());
+        }
+        let rounded = Self::rounded(Precision::Double, leading)?;
+        let double = Self::of_parts(leading.sign().is_lt(), rounded.mantissa, rounded.step);
+        rounded.decided.then_some(double)
+    }
+
+    /// The number of a format nearest to n/d, which is not 0, by its leading digits; none where few
+    /// are known, or where it is not normal.
+    fn led<R: Ring>(
         precision: Precision,
-        bracket: Bracket,
+        quotient: Leading,
         numerator: &R,
         divisor: &R,
     ) -> Option<Self> {
+        let rounded = Self::rounded(precision, quotient)?;
+        let mantissa = rounded.decide(numerator, divisor);
+        Some(Self::of_parts(
+            quotient.sign().is_lt(),
+            mantissa,
+            rounded.step,
+        ))
+    }
+
+    /// A mantissa of the length that normal numbers have, none for others.
+    fn rounded(precision: Precision, leading: Leading) -> Option<Rounded> {
         let digits = precision.fraction_bits() + 1;
-        let rounded = bracket.rounded(u32::try_from(digits).ok()?)?;
+        let rounded = Rounded::of(leading, u32::try_from(digits).ok()?)?;
         let normal = precision.least_exponent()..precision.exponent_bound() - digits;
-        normal.contains(&rounded.step).then(|| {
-            let negative = numerator.sign() != divisor.sign();
-            Self::of_parts(negative, rounded.decide(numerator, divisor), rounded.step)
-        })
+        normal.contains(&rounded.step).then_some(rounded)
     }
 
     /// The number of a format nearest to n/d with d ≠ 0, as [`Double::nearest_in`]; n and d may
@@ -136,10 +158,12 @@ impl Double {
         if Ring::is_zero(numerator) {
             return Some(Self::default());
         }
-        let bracket = Bracket::of_integers(numerator, denominator);
-        let nearest =
-            bracket.and_then(|own| Self::in_bracket(precision, own, numerator, denominator));
-        nearest.or_else(|| Self::by_division(precision, numerator, denominator))
+        let nearest = || {
+            let inverse = Leading::of_integer(denominator).inverse()?;
+            let quotient = Leading::of_integer(numerator).times(inverse)?;
+            Self::led(precision, quotient, numerator, denominator)
+        };
+        nearest().or_else(|| Self::by_division(precision, numerator, denominator))
     }
 
     /// The number of a format nearest to n/d, which is not 0, by exact division.

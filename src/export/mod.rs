@@ -5,7 +5,6 @@
 
 mod approx;
 mod boundary;
-mod bracket;
 mod context;
 mod exported;
 mod fault;
@@ -22,6 +21,7 @@ mod picture;
 mod ply;
 mod premultiplied_net;
 mod refusal;
+mod rounded;
 mod rounded_net;
 mod rounding;
 mod step;

@@ -29,6 +29,7 @@ impl RoundedNet {
         let mut rounding = Rounding::default();
         let knots_u = rounding.knots(net.knots_u(), "u")?;
         let knots_v = rounding.knots(net.knots_v(), "v")?;
+        let leading = net.leading();
         let mut weights = Vec::with_capacity(net.rows());
         let mut points = Vec::with_capacity(net.rows());
         for i in 0..net.rows() {
@@ -37,16 +38,22 @@ impl RoundedNet {
                 Vec::with_capacity(net.columns()),
             );
             for j in 0..net.columns() {
-                let (weight, divisor) = net.weight_parts(i, j);
-                let what = || format!("weight ({i}, {j})");
-                let exact = || net.weight(i, j).clone();
-                row.0
-                    .push(rounding.quotient((weight, &divisor), &exact, &what)?);
-                let (point, divisor) = net.point_parts(i, j);
+                let leading = leading.as_ref().map(|own| own.point(i, j));
+                let [weight, coordinates @ ..] = leading.unwrap_or_default();
+                row.0.push(rounding.quotient(
+                    weight,
+                    &|| net.weight_parts(i, j),
+                    &|| net.weight(i, j).clone(),
+                    &|| format!("weight ({i}, {j})"),
+                )?);
                 let mut coordinate = |axis: usize| {
                     let what = || format!("{} of control point ({i}, {j})", ["x", "y", "z"][axis]);
                     let exact = || net.point(i, j)[axis].clone();
-                    rounding.quotient((point[axis], &divisor), &exact, &what)
+                    let parts = || {
+                        let (point, divisor) = net.point_parts(i, j);
+                        (point[axis].clone(), divisor)
+                    };
+                    rounding.quotient(coordinates[axis], &parts, &exact, &what)
                 };
                 row.1.push([coordinate(0)?, coordinate(1)?, coordinate(2)?]);
             }
@@ -159,11 +166,11 @@ impl RoundedNet {
     fn equal_points(&self) -> Vec<((usize, usize), (usize, usize))> {
         let columns = self.points.first().map_or(0, Vec::len);
         let places = (0..self.points.len()).flat_map(|i| (0..columns).map(move |j| (i, j)));
-        let mut order: Vec<_> = places.collect();
-        let bits = |&(i, j): &(usize, usize)| self.points[i][j].map(|own| own.value().to_bits());
-        order.sort_by_cached_key(bits);
-        let kinds = order.chunk_by(|left, right| bits(left) == bits(right));
-        let pairs = kinds.flat_map(|kind| kind[1..].iter().map(|later| (kind[0], *later)));
+        let bits = |(i, j): (usize, usize)| self.points[i][j].map(|own| own.value().to_bits());
+        let mut order: Vec<_> = places.map(|own| (bits(own), own)).collect();
+        order.sort_unstable();
+        let kinds = order.chunk_by(|left, right| left.0 == right.0);
+        let pairs = kinds.flat_map(|kind| kind[1..].iter().map(|later| (kind[0].1, later.1)));
         let mut pairs: Vec<_> = pairs.collect();
         pairs.sort_by_key(|(_, later)| *later);
         pairs

@@ -2,30 +2,27 @@ use std::borrow::Cow;
 use std::cell::OnceCell;
 
 use crate::number::{Field, Integer, Real, Ring, lcm};
-use crate::poly::{BiDegree, BiPoly, UniPoly, binomials, scaled_bernstein};
+use crate::poly::{BiDegree, BiPoly};
 
 use super::affine::affine;
+use super::products::{Control, LeadingPoints, Numerator, Products};
 use super::{CurveNet, Knots};
-
-/// The numerators of exact numbers.
-type Numerator = <Real as Field>::Ring;
 
 /// An exact rational tensor-product surface: knots, weights and affine control points.
 ///
 /// Point (i, j) counts i along u and j along v. Weight (0, 0) is 1. Where a weight is 0 the point
 /// is at infinity; there `point` holds its direction (X, Y, Z)/W₀₀.
 ///
-/// The net is held as integral homogeneous points, and weights and points are divided out when
-/// they are first asked for: that costs more than all that goes before it, and doubles do not need
-/// it.
+/// The net of a polynomial surface is held as the products that its points are sums of. These are
+/// multiplied out, and weights and points divided out, when they are first asked for: that costs
+/// more than all that goes before it, and most doubles do not need it.
 #[derive(Clone, Debug)]
 pub struct ControlNet {
     knots_u: Knots,
     knots_v: Knots,
-    /// c (W, X, Y, Z) of each point, with a factor c of its own.
-    controls: Vec<[Numerator; 4]>,
-    /// The factor of each point, positive, up to one that all points share.
-    factors: Vec<Integer>,
+    /// What the control points are the sums of, if they were made so.
+    products: Option<Products>,
+    controls: OnceCell<Vec<Control>>,
     /// The first weight over the first factor.
     first: Numerator,
     weights: OnceCell<Vec<Real>>,
@@ -67,14 +64,14 @@ impl ControlNet {
                 weight
             };
             let [x, y, z] = point.each_ref().map(|own| own.times(factor));
-            common([weight.clone(), x, y, z])
+            over_one_denominator([weight.clone(), x, y, z])
         };
-        let (controls, factors) = weights.iter().zip(&points).map(control).unzip();
+        let controls: Vec<Control> = weights.iter().zip(&points).map(control).collect();
         Some(Self {
             knots_u,
             knots_v,
-            controls,
-            factors,
+            products: None,
+            controls: controls.into(),
             first: Numerator::one(),
             weights: weights.into(),
             points: points.into(),
@@ -101,8 +98,7 @@ impl ControlNet {
     ///
     /// - **shape** the bidegree is the componentwise maximum of the four
     /// - **holds** [`ControlNet::de_casteljau`] equals (X, Y, Z)/W wherever W is not 0
-    /// - **cost**  one conversion to the Bernstein basis per factor of each term, then an outer
-    ///   product in integers
+    /// - **cost**  one conversion to the Bernstein basis per factor of each term
     #[must_use]
     pub fn bezier(
         coordinates: [&BiPoly<Real>; 4],
@@ -113,20 +109,13 @@ impl ControlNet {
         let degree = bidegrees.reduce(BiDegree::max)?;
         let knots_u = Knots::bezier(degree.u, u.0, u.1)?;
         let knots_v = Knots::bezier(degree.v, v.0, v.1)?;
-        let controls = scaled_tensors(coordinates, degree, u, v);
-        let first = controls.first()?[0].clone();
-        if first.is_zero() {
-            return None;
-        }
-        let (in_u, in_v) = (binomials(degree.u), binomials(degree.v));
-        let factors = in_u
-            .iter()
-            .flat_map(|left| in_v.iter().map(move |right| left * right));
-        Some(Self {
+        let products = Products::of(coordinates, degree, u, v);
+        let first = products.coordinate(0, (0, 0));
+        (!first.is_zero()).then(|| Self {
             knots_u,
             knots_v,
-            controls,
-            factors: factors.collect(),
+            products: Some(products),
+            controls: OnceCell::new(),
             first,
             weights: OnceCell::new(),
             points: OnceCell::new(),
@@ -192,11 +181,10 @@ impl ControlNet {
     pub fn weights(&self) -> &[Real] {
         self.weights.get_or_init(|| {
             let scale = inverse(&self.first);
-            let pairs = self.controls.iter().zip(&self.factors);
-            let over = |(control, factor): (&[Numerator; 4], &Integer)| {
-                Real::from_parts(control[0].clone(), factor.clone()).times(&scale)
+            let weight = |own: &Control| {
+                Real::from_parts(own.coordinates[0].clone(), own.factor.clone()).times(&scale)
             };
-            pairs.map(over).collect()
+            self.controls().iter().map(weight).collect()
         })
     }
 
@@ -204,39 +192,58 @@ impl ControlNet {
     #[must_use]
     pub fn points(&self) -> &[[Real; 3]] {
         self.points.get_or_init(|| {
-            let point = |index: usize| {
-                let scale = inverse(&self.divisor(index));
-                let [_, point @ ..] = &self.controls[index];
+            let point = |control: &Control| {
+                let scale = inverse(&self.divisor(control));
+                let [_, point @ ..] = &control.coordinates;
                 point.each_ref().map(|own| whole(own).times(&scale))
             };
-            (0..self.controls.len()).map(point).collect()
+            self.controls().iter().map(point).collect()
         })
+    }
+
+    /// The leading digits of weights and points, without multiplying out; none if the net was not
+    /// made from polynomials.
+    #[must_use]
+    pub fn leading(&self) -> Option<LeadingPoints> {
+        self.products.as_ref().map(Products::leading)
     }
 
     /// The numerator and the divisor of weight (i, j); i < rows, j < columns.
     #[must_use]
-    pub fn weight_parts(&self, i: usize, j: usize) -> (&Numerator, Numerator) {
-        let index = i * self.columns() + j;
-        (
-            &self.controls[index][0],
-            self.first.scaled(&self.factors[index]),
-        )
+    pub fn weight_parts(&self, i: usize, j: usize) -> (Numerator, Numerator) {
+        let control = self.control(i, j);
+        let divisor = self.first.scaled(&control.factor);
+        let [weight, ..] = control.into_owned().coordinates;
+        (weight, divisor)
     }
 
     /// The numerators of the coordinates of control point (i, j), and their divisor; i < rows,
     /// j < columns.
     #[must_use]
-    pub fn point_parts(&self, i: usize, j: usize) -> ([&Numerator; 3], Numerator) {
-        let index = i * self.columns() + j;
-        let [_, point @ ..] = &self.controls[index];
-        (point.each_ref(), self.divisor(index))
+    pub fn point_parts(&self, i: usize, j: usize) -> ([Numerator; 3], Numerator) {
+        let control = self.control(i, j);
+        let divisor = self.divisor(&control);
+        let [_, point @ ..] = control.into_owned().coordinates;
+        (point, divisor)
+    }
+
+    fn controls(&self) -> &[Control] {
+        let all = || self.products.as_ref().map(Products::controls);
+        self.controls.get_or_init(|| all().unwrap_or_default())
+    }
+
+    fn control(&self, i: usize, j: usize) -> Cow<'_, Control> {
+        match (&self.products, self.controls.get()) {
+            (Some(products), None) => Cow::Owned(products.control((i, j))),
+            _ => Cow::Borrowed(&self.controls()[i * self.columns() + j]),
+        }
     }
 
     /// The weight of a point, or, where that is 0, the first weight with the factor of the point.
-    fn divisor(&self, index: usize) -> Numerator {
-        let weight = &self.controls[index][0];
+    fn divisor(&self, control: &Control) -> Numerator {
+        let [weight, ..] = &control.coordinates;
         if weight.is_zero() {
-            self.first.scaled(&self.factors[index])
+            self.first.scaled(&control.factor)
         } else {
             weight.clone()
         }
@@ -250,19 +257,17 @@ impl ControlNet {
         }
         let (left, first) = self.point_parts(one.0, one.1);
         let (right, second) = self.point_parts(other.0, other.1);
-        let pairs = left.iter().zip(right);
-        pairs
-            .into_iter()
-            .all(|(left, right)| left.times(&second) == right.times(&first))
+        let mut pairs = left.iter().zip(&right);
+        pairs.all(|(left, right)| left.times(&second) == right.times(&first))
     }
 
     /// The homogeneous control point (W, X, Y, Z)/W₀₀; i < rows, j < columns.
     #[must_use]
     pub fn homogeneous(&self, i: usize, j: usize) -> [Real; 4] {
-        let index = i * self.columns() + j;
-        let scale = inverse(&self.first.scaled(&self.factors[index]));
-        let control = self.controls[index].each_ref();
-        control.map(|own| whole(own).times(&scale))
+        let control = &self.controls()[i * self.columns() + j];
+        let scale = inverse(&self.first.scaled(&control.factor));
+        let coordinates = control.coordinates.each_ref();
+        coordinates.map(|own| whole(own).times(&scale))
     }
 
     /// The Bézier curve of the control points at these indices; the first weight among them is not
@@ -302,61 +307,10 @@ impl ControlNet {
     /// Whether every weight is positive: then the surface lies in the convex hull of its points.
     #[must_use]
     pub fn all_positive(&self) -> bool {
-        let sign = self.controls[0][0].sign();
-        self.controls.iter().all(|own| own[0].sign() == sign)
+        let sign = self.first.sign();
+        let mut weights = self.controls().iter().map(|own| &own.coordinates[0]);
+        weights.all(|own| own.sign() == sign)
     }
-}
-
-/// C(n, i) C(m, j) times the Bernstein coefficients of four polynomials at the bidegree (n, m),
-/// which is at least theirs, over one denominator that is left out: i by i and j within i.
-///
-/// Each factor of Σ fₖ gₖ is converted alone, the terms are outer products.
-fn scaled_tensors(
-    coordinates: [&BiPoly<Real>; 4],
-    degree: BiDegree,
-    u: (&Real, &Real),
-    v: (&Real, &Real),
-) -> Vec<[Numerator; 4]> {
-    let fits = |(in_u, in_v): &(UniPoly<Real>, UniPoly<Real>)| {
-        in_u.degree() <= Some(degree.u) && in_v.degree() <= Some(degree.v)
-    };
-    // Where terms cancel above the bidegree, the dense form has no such terms.
-    let fitting = coordinates.map(|own| {
-        if own.terms().iter().all(fits) {
-            Cow::Borrowed(own)
-        } else {
-            Cow::Owned(BiPoly::from_rows(&own.rows()))
-        }
-    });
-    let local = fitting.each_ref().map(|own| {
-        let factors = own.terms().iter();
-        let factors =
-            factors.map(|(in_u, in_v)| (in_u.restrict(u.0, u.1), in_v.restrict(v.0, v.1)));
-        factors.collect::<Vec<_>>()
-    });
-    let below =
-        |(in_u, in_v): &(UniPoly<Real>, UniPoly<Real>)| in_u.denominator() * in_v.denominator();
-    let denominators = local.iter().flatten().map(below);
-    let denominator = denominators.fold(Integer::one(), |all, own| lcm(&all, &own));
-    let columns = degree.v + 1;
-    let zero = || [(); 4].map(|()| Numerator::zero());
-    let mut controls = vec![zero(); (degree.u + 1) * columns];
-    for (axis, terms) in local.iter().enumerate() {
-        for term in terms {
-            let scale = &denominator / below(term);
-            let left = scaled_bernstein(term.0.numerators(), degree.u);
-            let mut right = scaled_bernstein(term.1.numerators(), degree.v);
-            if !scale.is_one() {
-                right = right.iter().map(|own| own.scaled(&scale)).collect();
-            }
-            for (row, left) in controls.chunks_exact_mut(columns).zip(&left) {
-                for (control, right) in row.iter_mut().zip(&right) {
-                    control[axis].add_product(left, right);
-                }
-            }
-        }
-    }
-    controls
 }
 
 /// A number of the ring as one of the field.
@@ -369,11 +323,14 @@ fn inverse(divisor: &Numerator) -> Real {
     whole(divisor).inverse().unwrap_or_else(Real::one)
 }
 
-/// The numerators of numbers over their common denominator, and the denominator.
-fn common<const N: usize>(values: [Real; N]) -> ([Numerator; N], Integer) {
-    let parts = values.map(|own| own.parts());
+/// A control point as integers.
+fn over_one_denominator(coordinates: [Real; 4]) -> Control {
+    let parts = coordinates.map(|own| own.parts());
     let denominators = parts.iter().map(|(_, below)| below);
-    let denominator = denominators.fold(Integer::one(), |all, below| lcm(&all, below));
-    let numerators = parts.map(|(numerator, below)| numerator.scaled(&(&denominator / &below)));
-    (numerators, denominator)
+    let factor = denominators.fold(Integer::one(), |all, below| lcm(&all, below));
+    let coordinates = parts.map(|(numerator, below)| numerator.scaled(&(&factor / &below)));
+    Control {
+        coordinates,
+        factor,
+    }
 }

@@ -15,6 +15,7 @@ mod model;
 mod orientation;
 mod part;
 mod patch;
+mod products;
 mod sew;
 mod shell;
 mod side;
@@ -28,6 +29,7 @@ pub use knots::Knots;
 pub use model::Model;
 pub use part::Part;
 pub use patch::Patch;
+pub use products::LeadingPoints;
 pub use shell::Shell;
 pub use side::{Side, Use, VertexId};
 

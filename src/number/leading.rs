@@ -136,6 +136,26 @@ impl Leading {
                 .checked_add(128)?,
         )
     }
+
+    /// 1/a; none for 0
+    ///
+    /// Newton's step from q = ⌊(2¹²⁷ − 1)/d⌋, where d are the leading 64 digits of m: with
+    /// t = 2¹⁸⁷ − m q, r = 2⁶⁰q + qt/2¹²⁷ differs from 2²⁴⁷/m by (2²⁴⁷/m) (t/2¹⁸⁷)² < 1, as |t| is
+    /// at most 2¹²⁴ + 2⁶¹; what is dropped is 1¼ at most. An error e of m is one of less than
+    /// 2e + 1 in 2²⁴⁷/m.
+    #[must_use]
+    pub fn inverse(self) -> Option<Self> {
+        let size = self.mantissa.unsigned_abs();
+        let guess = ((1 << 127) - 1_u128).checked_div(size >> 60)?;
+        let rest = size.wrapping_mul(guess).wrapping_neg().cast_signed();
+        let guess = i128::try_from(guess).ok()?;
+        let inverse = (guess << 60) + (((rest >> 61) * guess) >> 66);
+        Self::normal(
+            if self.mantissa < 0 { -inverse } else { inverse },
+            self.error.checked_mul(2)?.checked_add(4)?,
+            self.exponent.checked_neg()?.checked_sub(247)?,
+        )
+    }
 }
 
 /// ⌊a b / 2¹²⁸⌋ for factors below 2¹²⁷.
@@ -164,6 +184,17 @@ mod tests {
         let [lower, upper] = number.enclose(precision).absolute().ends().map(Real::from);
         let negative = number.enclose(precision).sign() == Some(Ordering::Less);
         least <= upper && lower <= greatest && negative == leading.sign().is_lt()
+    }
+
+    /// (m ± e) 2ᵏ holds the inverse of a number: then that, times the number, holds 1.
+    fn inverts(leading: Leading, number: &SurdInteger) -> bool {
+        let (least, greatest, exponent) = leading.ends();
+        let power = Real::power_of_two(exponent);
+        let size = Real::from_parts(number.clone(), Integer::from(1)).absolute();
+        let [least, greatest] =
+            [least, greatest].map(|own| Real::from(Integer::from(own)).times(&power).times(&size));
+        let one = Real::from(1);
+        least <= one && one <= greatest && leading.sign() == number.sign()
     }
 
     /// Small numbers, long ones, and those about a power of two.
@@ -218,6 +249,9 @@ mod tests {
         #[test]
         fn sums_and_products_are_led_by_theirs(one in numbers(), other in numbers()) {
             if let (Some(left), Some(right)) = (one.leading(), other.leading()) {
+                let inverse = left.inverse();
+                prop_assert!(inverse.is_none_or(|own| inverts(own, &one)));
+                prop_assert_eq!(inverse.is_none(), one.sign().is_eq());
                 let product = left.times(right);
                 prop_assert!(product.is_some_and(|own| holds(own, &one.times(&other))));
                 let sum = left.plus(right);
