@@ -12,19 +12,24 @@ pub(super) struct Rounded {
 }
 
 impl Rounded {
-    /// Of absolute values; none where few digits are known. Rounding is monotonic, so what both
-    /// ends round to all round to.
+    /// Of absolute values; none where few digits are known.
+    ///
+    /// The digits are decided where the halfway point is farther away than the error. The numbers
+    /// below a power of two, where steps are half as long, are within a small part of a step of it,
+    /// and round to it.
+    #[inline]
     pub(super) fn of(leading: Leading, digits: u32) -> Option<Self> {
-        let (low, high, exponent) = leading.ends();
-        let dropped = (u128::BITS - low.leading_zeros()).checked_sub(digits)?;
+        const ERROR: u64 = 1 << 60;
+        let (size, error, exponent) = leading.parts();
+        let dropped = Leading::DIGITS.checked_sub(digits)?;
         let half = 1_u128 << dropped.checked_sub(1)?;
-        // Halfway points go to the even number.
-        let nearest = |own: u128| (own + (half - 1) + (own >> dropped & 1)) >> dropped;
-        let (least, greatest) = (nearest(low), nearest(high));
-        (greatest - least < 2).then_some(Self {
-            mantissa: u64::try_from(least).ok()?,
+        let rest = size & ((half << 1) - 1);
+        let decided = rest.abs_diff(half) > u128::from(error);
+        let mantissa = u64::try_from(size >> dropped).ok()?;
+        (error < ERROR).then(|| Self {
+            mantissa: mantissa + u64::from(decided && rest > half),
             step: exponent + i64::from(dropped),
-            decided: least == greatest,
+            decided,
         })
     }
 

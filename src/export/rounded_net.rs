@@ -1,3 +1,6 @@
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
+
 use crate::diag::Code;
 use crate::net::ControlNet;
 use crate::number::{Field, Rational, Real};
@@ -38,10 +41,9 @@ impl RoundedNet {
                 Vec::with_capacity(net.columns()),
             );
             for j in 0..net.columns() {
-                let leading = leading.as_ref().map(|own| own.point(i, j));
-                let [weight, coordinates @ ..] = leading.unwrap_or_default();
+                let known = leading.as_ref().and_then(|own| own.weight(i, j));
                 row.0.push(rounding.quotient(
-                    weight,
+                    known.map(|(weight, _)| weight),
                     &|| net.weight_parts(i, j),
                     &|| net.weight(i, j).clone(),
                     &|| format!("weight ({i}, {j})"),
@@ -53,7 +55,8 @@ impl RoundedNet {
                         let (point, divisor) = net.point_parts(i, j);
                         (point[axis].clone(), divisor)
                     };
-                    rounding.quotient(coordinates[axis], &parts, &exact, &what)
+                    let leading = || leading.as_ref()?.coordinate(axis, (i, j), known?.1);
+                    rounding.quotient(leading(), &parts, &exact, &what)
                 };
                 row.1.push([coordinate(0)?, coordinate(1)?, coordinate(2)?]);
             }
@@ -164,15 +167,17 @@ impl RoundedNet {
 
     /// The places of equal points, each with the first one of its kind, in the order of the later.
     fn equal_points(&self) -> Vec<((usize, usize), (usize, usize))> {
-        let columns = self.points.first().map_or(0, Vec::len);
-        let places = (0..self.points.len()).flat_map(|i| (0..columns).map(move |j| (i, j)));
-        let bits = |(i, j): (usize, usize)| self.points[i][j].map(|own| own.value().to_bits());
-        let mut order: Vec<_> = places.map(|own| (bits(own), own)).collect();
-        order.sort_unstable();
-        let kinds = order.chunk_by(|left, right| left.0 == right.0);
-        let pairs = kinds.flat_map(|kind| kind[1..].iter().map(|later| (kind[0].1, later.1)));
-        let mut pairs: Vec<_> = pairs.collect();
-        pairs.sort_by_key(|(_, later)| *later);
+        let mut first: HashMap<[Double; 3], (usize, usize)> =
+            HashMap::with_capacity(self.points.iter().map(Vec::len).sum());
+        let mut pairs = Vec::new();
+        for (i, row) in self.points.iter().enumerate() {
+            for (j, point) in row.iter().enumerate() {
+                match first.entry(*point) {
+                    Entry::Vacant(place) => _ = place.insert((i, j)),
+                    Entry::Occupied(earlier) => pairs.push((*earlier.get(), (i, j))),
+                }
+            }
+        }
         pairs
     }
 }

@@ -202,10 +202,10 @@ impl ControlNet {
     }
 
     /// The leading digits of weights and points, without multiplying out; none if the net was not
-    /// made from polynomials.
+    /// made from polynomials, or if few digits are known.
     #[must_use]
     pub fn leading(&self) -> Option<LeadingPoints> {
-        self.products.as_ref().map(Products::leading)
+        self.products.as_ref()?.leading()
     }
 
     /// The numerator and the divisor of weight (i, j); i < rows, j < columns.

@@ -98,21 +98,22 @@ impl Products {
         places.map(|(i, j)| control(i, j)).collect()
     }
 
-    /// The leading digits of all factors.
-    pub(super) fn leading(&self) -> LeadingPoints {
-        let digits = |list: &[Numerator]| list.iter().map(Ring::leading).collect();
+    /// The leading digits of all factors; none where few are known of one.
+    pub(super) fn leading(&self) -> Option<LeadingPoints> {
+        let digits = |list: &[Numerator]| list.iter().map(Ring::leading).collect::<Option<_>>();
         let inverse = |own: &Integer| Leading::of_integer(own).inverse();
-        let inverses = |degree| binomials(degree).iter().map(inverse).collect();
-        let first = self.coordinate(0, (0, 0));
-        LeadingPoints {
-            terms: self.terms.each_ref().map(|own| {
-                let terms = own.iter();
-                let terms = terms.map(|(in_u, in_v)| (digits(in_u), digits(in_v)));
-                terms.collect()
-            }),
-            scales: [inverses(self.degree.u), inverses(self.degree.v)],
-            first: first.leading().and_then(Leading::inverse),
+        let inverses = |degree| binomials(degree).iter().map(inverse).collect::<Option<_>>();
+        let mut terms = [const { Vec::new() }; 4];
+        for (axis, own) in self.terms.iter().enumerate() {
+            for (in_u, in_v) in own {
+                terms[axis].push((digits(in_u)?, digits(in_v)?));
+            }
         }
+        Some(LeadingPoints {
+            terms,
+            scales: [inverses(self.degree.u)?, inverses(self.degree.v)?],
+            first: self.coordinate(0, (0, 0)).leading()?.inverse()?,
+        })
     }
 }
 
@@ -161,8 +162,8 @@ impl<'a> Conversions<'a> {
     }
 }
 
-/// The factors of leading digits; none where they are not known.
-type Digits = Vec<Option<Leading>>;
+/// The leading digits of a list of numbers.
+type Digits = Vec<Leading>;
 
 /// The points and weights of a net by their leading digits, from those of the factors of their
 /// terms: no point is multiplied out.
@@ -172,40 +173,36 @@ pub struct LeadingPoints {
     /// 1/C(n, i) and 1/C(m, j)
     scales: [Digits; 2],
     /// 1/W₀₀
-    first: Option<Leading>,
+    first: Leading,
 }
 
 impl LeadingPoints {
-    /// The weight and the coordinates of control point (i, j), as far as they are known; nothing
-    /// of a point whose weight may be 0.
+    /// The weight of control point (i, j), and 1/W with which its coordinates are to be multiplied;
+    /// none if the weight may be 0.
     #[must_use]
-    pub fn point(&self, i: usize, j: usize) -> [Option<Leading>; 4] {
-        let Some(weight) = self.homogeneous(0, (i, j)) else {
-            return [None; 4];
-        };
-        let Some(inverse) = weight.inverse() else {
-            return [None; 4];
-        };
-        let coordinate = |axis| self.homogeneous(axis, (i, j))?.times(inverse);
-        let scale = || {
-            self.first?
-                .times(self.scales[0][i]?)?
-                .times(self.scales[1][j]?)
-        };
-        [
-            scale().and_then(|own| weight.times(own)),
-            coordinate(1),
-            coordinate(2),
-            coordinate(3),
-        ]
+    pub fn weight(&self, i: usize, j: usize) -> Option<(Leading, Leading)> {
+        let weight = self.homogeneous(0, i, j)?;
+        let scale = self.scales[0][i].times(self.scales[1][j])?;
+        let scaled = weight.times(scale.times(self.first)?)?;
+        Some((scaled, weight.inverse()?))
     }
 
-    fn homogeneous(&self, axis: usize, (i, j): (usize, usize)) -> Option<Leading> {
-        let mut products = self.terms[axis]
-            .iter()
-            .map(|(in_u, in_v)| in_u[i]?.times(in_v[j]?));
-        let zero = || Some(Leading::of_integer(&Integer::from(0)));
-        let first = products.next().unwrap_or_else(zero)?;
-        products.try_fold(first, |sum, own| sum.plus(own?))
+    /// A coordinate of control point (i, j) with 1/W.
+    #[must_use]
+    pub fn coordinate(
+        &self,
+        axis: usize,
+        (i, j): (usize, usize),
+        inverse: Leading,
+    ) -> Option<Leading> {
+        self.homogeneous(axis + 1, i, j)?.times(inverse)
+    }
+
+    fn homogeneous(&self, axis: usize, i: usize, j: usize) -> Option<Leading> {
+        let mut sum = Leading::zero();
+        for (in_u, in_v) in &self.terms[axis] {
+            sum = sum.plus(in_u[i].times(in_v[j])?)?;
+        }
+        Some(sum)
     }
 }

@@ -21,6 +21,16 @@ impl Leading {
     /// The binary digits of a mantissa; all but 64 of them are sure.
     pub const DIGITS: u32 = 124;
 
+    /// 0
+    #[must_use]
+    pub const fn zero() -> Self {
+        Self {
+            mantissa: 0,
+            error: 0,
+            exponent: 0,
+        }
+    }
+
     /// A rational integer.
     #[must_use]
     pub fn of_integer(value: &Integer) -> Self {
@@ -85,11 +95,11 @@ impl Leading {
         self.mantissa.cmp(&0)
     }
 
-    /// l, h and k with l · 2ᵏ ≤ |a| ≤ h · 2ᵏ.
+    /// m, e and k with (m − e) 2ᵏ ≤ |a| ≤ (m + e) 2ᵏ; m has [`Leading::DIGITS`] digits, or is 0.
     #[must_use]
-    pub fn ends(&self) -> (u128, u128, i64) {
-        let (size, error) = (self.mantissa.unsigned_abs(), u128::from(self.error));
-        (size - error, size + error, self.exponent)
+    #[inline]
+    pub fn parts(&self) -> (u128, u64, i64) {
+        (self.mantissa.unsigned_abs(), self.error, self.exponent)
     }
 
     /// a + b; none where so much cancels that few digits are sure
@@ -119,22 +129,31 @@ impl Leading {
 
     /// a b
     ///
-    /// |(m ± e)(n ± f) − mn| ≤ |m| f + |n| e + e f < (e + f) 2¹²⁴ + 2¹²⁸, of which 2¹²⁸ are a unit.
+    /// |(m ± e)(n ± f) − mn| ≤ |m| f + |n| e + e f < (e + f + 1) 2¹²⁴, and 2¹²³ or 2¹²⁴ are a unit,
+    /// of which one more is dropped.
     #[must_use]
+    #[inline]
     pub fn times(self, other: Self) -> Option<Self> {
-        let size = high_product(self.mantissa.unsigned_abs(), other.mantissa.unsigned_abs());
-        let size = i128::try_from(size).ok()?;
-        let same = (self.mantissa < 0) == (other.mantissa < 0);
+        let (left, right) = (self.mantissa.unsigned_abs(), other.mantissa.unsigned_abs());
+        let exponent = self.exponent.checked_add(other.exponent)?;
+        let error = self.error.checked_add(other.error)?.checked_add(1)?;
+        // m n / 2¹²³
+        let size = high_product(left << 4, right << 1);
+        let (size, error, exponent) = if size >> Self::DIGITS == 0 {
+            (size, error.checked_mul(2)?.checked_add(1)?, exponent + 123)
+        } else {
+            (size >> 1, error.checked_add(1)?, exponent + 124)
+        };
         if size == 0 {
-            return Some(Self::of_integer(&Integer::from(0)));
+            return Some(Self::zero());
         }
-        Self::normal(
-            if same { size } else { -size },
-            (self.error >> 4) + (other.error >> 4) + 4,
-            self.exponent
-                .checked_add(other.exponent)?
-                .checked_add(128)?,
-        )
+        let size = size.cast_signed();
+        let same = (self.mantissa < 0) == (other.mantissa < 0);
+        Some(Self {
+            mantissa: if same { size } else { -size },
+            error,
+            exponent,
+        })
     }
 
     /// 1/a; none for 0
@@ -158,10 +177,11 @@ impl Leading {
     }
 }
 
-/// ⌊a b / 2¹²⁸⌋ for factors below 2¹²⁷.
+/// ⌊a b / 2¹²⁸⌋
+#[inline]
 fn high_product(left: u128, right: u128) -> u128 {
     const LOW: u128 = u64::MAX as u128;
-    let ([a, b], [c, d]) = ([left >> 64, left & LOW], [right >> 64, right & LOW]);
+    let (a, b, c, d) = (left >> 64, left & LOW, right >> 64, right & LOW);
     let middle = a * d + ((b * d) >> 64);
     let carried = (middle & LOW) + b * c;
     a * c + (middle >> 64) + (carried >> 64)
@@ -176,7 +196,8 @@ mod tests {
 
     /// (m ± e) 2ᵏ holds a number, by enclosures that do not know of leading digits.
     fn holds(leading: Leading, number: &SurdInteger) -> bool {
-        let (least, greatest, exponent) = leading.ends();
+        let (size, error, exponent) = leading.parts();
+        let [least, greatest] = [size - u128::from(error), size + u128::from(error)];
         let power = Real::power_of_two(exponent);
         let [least, greatest] =
             [least, greatest].map(|own| Real::from(Integer::from(own)).times(&power));
@@ -188,7 +209,8 @@ mod tests {
 
     /// (m ± e) 2ᵏ holds the inverse of a number: then that, times the number, holds 1.
     fn inverts(leading: Leading, number: &SurdInteger) -> bool {
-        let (least, greatest, exponent) = leading.ends();
+        let (size, error, exponent) = leading.parts();
+        let [least, greatest] = [size - u128::from(error), size + u128::from(error)];
         let power = Real::power_of_two(exponent);
         let size = Real::from_parts(number.clone(), Integer::from(1)).absolute();
         let [least, greatest] =
