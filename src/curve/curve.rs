@@ -20,7 +20,7 @@ pub struct Curve {
     parameter: Parameter,
     domain: Interval,
     position: Homogeneous,
-    hodograph: Hodograph,
+    hodograph: OnceCell<Hodograph>,
     /// The field, which grows by a square root where the speed needs one.
     tower: Tower,
     preimage: Option<Preimage>,
@@ -52,18 +52,13 @@ impl Curve {
         position: Homogeneous,
         tower: Tower,
     ) -> Self {
-        let hodograph = if position.is_polynomial() {
-            Hodograph::of(&position)
-        } else {
-            Hodograph::of(&position.reduce())
-        };
         Self {
             name,
             plane,
             parameter,
             domain,
             position,
-            hodograph,
+            hodograph: OnceCell::new(),
             tower,
             preimage: None,
             interpolant: None,
@@ -117,7 +112,13 @@ impl Curve {
     /// Its hodograph in lowest terms.
     #[must_use]
     pub fn hodograph(&self) -> &Hodograph {
-        &self.hodograph
+        self.hodograph.get_or_init(|| {
+            if self.position.is_polynomial() {
+                Hodograph::of(&self.position)
+            } else {
+                Hodograph::of(&self.position.reduce())
+            }
+        })
     }
 
     /// The numerator N of σ = N/d, positive on the domain apart from cusps.
@@ -130,7 +131,7 @@ impl Curve {
             Some(preimage) => preimage.speed(&self.tower).map_err(|_| Fault::FieldDegree {
                 radicand: preimage.factor().norm(),
             }),
-            None => self.hodograph.speed(&self.domain, &self.tower),
+            None => self.hodograph().speed(&self.domain, &self.tower),
         });
         speed.as_ref().map_err(Clone::clone)
     }
@@ -157,7 +158,7 @@ impl Curve {
     #[must_use]
     pub fn cusps(&self) -> Vec<RealRoot<Real>> {
         self.speed()
-            .map(|speed| self.hodograph.cusps(speed, &self.domain))
+            .map(|speed| self.hodograph().cusps(speed, &self.domain))
             .unwrap_or_default()
     }
 
@@ -195,7 +196,6 @@ impl Curve {
 
     fn find(&self, property: Property) -> Result<PropertyFunction, Fault> {
         let (speed, weight) = self.counted_degrees();
-        let numerators = &self.hodograph.numerators;
         let (numerator, denominator, bound) = match property {
             Property::Position(axis) => {
                 let Homogeneous {
@@ -215,16 +215,20 @@ impl Curve {
                 )
             }
             Property::Hodograph(axis) => {
+                let Hodograph {
+                    numerators,
+                    denominator,
+                } = self.hodograph();
                 let top = numerators[axis.index()].clone();
-                (top, self.hodograph.denominator.clone(), (speed, weight))
+                (top, denominator.clone(), (speed, weight))
             }
             Property::Speed => {
                 let top = self.speed()?.clone();
-                (top, self.hodograph.denominator.clone(), (speed, weight))
+                (top, self.hodograph().denominator.clone(), (speed, weight))
             }
             Property::ArcLength => return self.arc_length_function(),
             Property::Tangent(axis) => {
-                let top = numerators[axis.index()].clone();
+                let top = self.hodograph().numerators[axis.index()].clone();
                 (top, self.speed()?.clone(), (speed, speed))
             }
             Property::Normal(axis) => {
@@ -282,7 +286,7 @@ impl Curve {
     /// The hodograph numerators (a, b) along the axes of the curve's plane.
     fn plane_hodograph(&self) -> Result<[(Axis, &UniPoly<Real>); 2], Fault> {
         let (first, second) = self.plane.ok_or(Fault::NotPlane)?.axes();
-        let numerators = &self.hodograph.numerators;
+        let numerators = &self.hodograph().numerators;
         Ok([first, second].map(|axis| (axis, &numerators[axis.index()])))
     }
 
@@ -304,13 +308,13 @@ impl Curve {
         let turning = &(a * &b.derivative()) - &(&a.derivative() * b);
         // N divides: with a + ib = g h ω² both are multiples of |g| h |ω|².
         let turning = turning.exact_div(speed).unwrap_or_else(UniPoly::zero);
-        Ok((&turning * &self.hodograph.denominator, speed * speed))
+        Ok((&turning * &self.hodograph().denominator, speed * speed))
     }
 
     fn arc_length(&self) -> Result<ArcLength, Fault> {
         let length = self.arc_length.get_or_init(|| {
             let speed = self.speed()?;
-            let (numerator, denominator) = match integrate(speed, &self.hodograph.denominator) {
+            let (numerator, denominator) = match integrate(speed, &self.hodograph().denominator) {
                 Antiderivative::Rational {
                     numerator,
                     denominator,

@@ -48,6 +48,16 @@ impl Homogeneous {
         real_roots(&common, domain.start(), domain.end())
     }
 
+    /// Whether all points are the same: each coordinate is a multiple of w.
+    #[must_use]
+    pub fn is_point(&self) -> bool {
+        let proportional = |own: &UniPoly<Real>| {
+            own.is_zero()
+                || (own.degree() == self.weight.degree() && own.monic() == self.weight.monic())
+        };
+        self.coordinates.iter().all(proportional)
+    }
+
     /// The same curve without the common factor of w, x, y, z.
     #[must_use]
     pub fn reduce(&self) -> Self {

@@ -50,7 +50,7 @@ impl<'a> Lowerer<'a> {
         let tower = self.tower.clone();
         let curve = Curve::new(name.text.clone(), plane, parameter, domain, position, tower)
             .built(preimage, interpolant);
-        if curve.hodograph().is_zero() {
+        if curve.position().is_point() {
             let fault = curve::Fault::NoMotion;
             let finding = Diagnostic::new(fault.code(), name.span, fault.message(&name.text));
             return Err(self.report(finding));
