@@ -1,7 +1,5 @@
 //! Σ aₖ xᵏ (1+x)ⁿ⁻ᵏ, as lists of coefficients: the way from powers to Bernstein coefficients.
 
-use num_bigint::{BigInt, BigUint, Sign};
-
 use super::{Integer, Ring};
 
 /// The coefficients of Σ aₖ xᵏ (1+x)ⁿ⁻ᵏ for as many k as there are, n + 1 at most: additions only.
@@ -115,10 +113,8 @@ fn integer(words: &[u64]) -> Integer {
     if negative {
         negate(&mut size);
     }
-    let halves = size.iter().flat_map(|own| [*own, own >> 32]);
-    let halves = halves.map(|own| u32::try_from(own & u64::from(u32::MAX)).unwrap_or_default());
-    let sign = if negative { Sign::Minus } else { Sign::Plus };
-    Integer::of_long(BigInt::from_biguint(sign, BigUint::new(halves.collect())))
+    let size = Integer::of_digits(&size);
+    if negative { -size } else { size }
 }
 
 #[cfg(test)]

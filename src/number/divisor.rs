@@ -10,58 +10,139 @@ pub fn gcd(left: &Integer, right: &Integer) -> Integer {
     match (left.machine(), right.machine()) {
         (Some(0), _) => right.abs(),
         (_, Some(0)) => left.abs(),
-        (Some(first), Some(second)) => machine_gcd(first, second),
-        (Some(first), None) => machine_gcd(first, remainder(right, left).unwrap_or_default()),
-        (None, Some(second)) => machine_gcd(second, remainder(left, right).unwrap_or_default()),
-        (None, None) => lehmer(left.abs(), right.abs()),
+        (Some(first), Some(second)) => of_machine(first, second),
+        (Some(first), None) => of_machine(first, remainder(right, left).unwrap_or_default()),
+        (None, Some(second)) => of_machine(second, remainder(left, right).unwrap_or_default()),
+        (None, None) => lehmer(left, right),
     }
 }
 
-fn machine_gcd(left: i128, right: i128) -> Integer {
-    let (left, right) = (left.unsigned_abs(), right.unsigned_abs());
-    match (u64::try_from(left), u64::try_from(right)) {
-        (Ok(left), Ok(right)) => left.gcd(&right).into(),
-        _ => left.gcd(&right).into(),
+fn of_machine(left: i128, right: i128) -> Integer {
+    of_double_words(left.unsigned_abs(), right.unsigned_abs())
+}
+
+fn of_double_words(left: u128, right: u128) -> Integer {
+    let (lesser, greater) = (left.min(right), left.max(right));
+    match u64::try_from(lesser) {
+        Ok(0) => greater.into(),
+        Ok(1) => Ring::one(),
+        // One remainder makes a word of a longer number.
+        Ok(word) => match u64::try_from(greater % lesser) {
+            Ok(rest) => word.gcd(&rest).into(),
+            Err(_) => lesser.gcd(&greater).into(),
+        },
+        Err(_) => lesser.gcd(&greater).into(),
     }
 }
 
-/// Lehmer's method: quotients are guessed from the leading digits of both numbers for as long as
-/// they are certain, and applied together; when a machine number is left, [`gcd`] goes on.
-fn lehmer(mut greater: Integer, mut lesser: Integer) -> Integer {
-    if greater < lesser {
+/// Lehmer's method on the digits to the base 2⁶⁴: quotients are guessed from the leading digits of
+/// both numbers for as long as they are certain, and applied together, in place, until one has two
+/// digits.
+fn lehmer(left: &Integer, right: &Integer) -> Integer {
+    let (mut greater, mut lesser) = (left.digits(), right.digits());
+    if is_less(&greater, &lesser) {
         std::mem::swap(&mut greater, &mut lesser);
     }
-    while lesser.machine().is_none() {
-        let shift = greater.bits() - 62;
-        let lead = |value: &Integer| (value >> shift).machine().unwrap_or_default();
-        let [first, second] = cosequence(lead(&greater), lead(&lesser));
-        (greater, lesser) = if first[1] == 0 {
-            let rest = &greater % &lesser;
-            (lesser, rest)
+    while lesser.len() > 2 {
+        let (first, second) = cosequence(leading(&greater, &lesser));
+        if first.other == 0 {
+            let rest = &Integer::of_digits(&greater) % &Integer::of_digits(&lesser);
+            greater = std::mem::replace(&mut lesser, rest.digits());
         } else {
-            let combine =
-                |[a, b]: [i128; 2]| &greater * &Integer::from(a) + &lesser * &Integer::from(b);
-            (combine(first), combine(second))
-        };
+            lesser.resize(greater.len(), 0);
+            combine(&mut greater, &mut lesser, first, second);
+        }
+        trim(&mut greater);
+        trim(&mut lesser);
     }
-    gcd(&greater, &lesser)
+    if lesser.is_empty() {
+        return Integer::of_digits(&greater);
+    }
+    if greater.len() > 2 {
+        greater = (Integer::of_digits(&greater) % Integer::of_digits(&lesser)).digits();
+    }
+    of_double_words(double_word(&greater), double_word(&lesser))
+}
+
+/// The number of two digits at most.
+fn double_word(digits: &[u64]) -> u128 {
+    let higher_first = digits.iter().rev();
+    higher_first.fold(0, |number, own| number << 64 | u128::from(*own))
+}
+
+/// Drops leading zeros.
+fn trim(digits: &mut Vec<u64>) {
+    while digits.last() == Some(&0) {
+        digits.pop();
+    }
+}
+
+fn is_less(left: &[u64], right: &[u64]) -> bool {
+    left.len() < right.len()
+        || (left.len() == right.len() && left.iter().rev().lt(right.iter().rev()))
+}
+
+/// The leading 62 binary digits of the greater of two numbers, and the digits of the other at the
+/// same places.
+fn leading(greater: &[u64], lesser: &[u64]) -> (i64, i64) {
+    let top = greater.len() - 1;
+    let zeros = greater[top].leading_zeros();
+    let digits = |own: &[u64]| {
+        let digit = |index: usize| u128::from(own.get(index).copied().unwrap_or(0));
+        let window = (digit(top) << 64 | digit(top.wrapping_sub(1))) << zeros >> 66;
+        i64::try_from(window).unwrap_or(i64::MAX)
+    };
+    (digits(greater), digits(lesser))
+}
+
+/// a x + b y for numbers x and y.
+#[derive(Clone, Copy)]
+struct Combination {
+    own: i64,
+    other: i64,
 }
 
 /// The steps of Euclid's algorithm that two numbers with the leading digits x ≥ y share for
-/// certain, as two combinations: the quotient is certain while ⌊(x + a)/(y + c)⌋ and
-/// ⌊(x + b)/(y + d)⌋ agree.   Knuth, The Art of Computer Programming, 4.5.2, algorithm L.
-fn cosequence(mut x: i128, mut y: i128) -> [[i128; 2]; 2] {
-    let (mut first, mut second) = ([1, 0], [0, 1]);
-    while y + second[0] != 0 && y + second[1] != 0 {
-        let quotient = (x + first[0]) / (y + second[0]);
-        if quotient != (x + first[1]) / (y + second[1]) {
+/// certain, as two combinations with integers of opposite signs: the quotient is certain while
+/// ⌊(x + a)/(y + c)⌋ and ⌊(x + b)/(y + d)⌋ agree.   Knuth, The Art of Computer Programming, 4.5.2,
+/// algorithm L.
+fn cosequence((mut x, mut y): (i64, i64)) -> (Combination, Combination) {
+    let mut first = Combination { own: 1, other: 0 };
+    let mut second = Combination { own: 0, other: 1 };
+    while y + second.own != 0 && y + second.other != 0 {
+        let quotient = (x + first.own) / (y + second.own);
+        if quotient != (x + first.other) / (y + second.other) {
             break;
         }
-        let next = [0, 1].map(|index| first[index] - quotient * second[index]);
+        let next = Combination {
+            own: first.own - quotient * second.own,
+            other: first.other - quotient * second.other,
+        };
         (first, second) = (second, next);
         (x, y) = (y, x - quotient * y);
     }
-    [first, second]
+    (first, second)
+}
+
+/// Replaces two numbers of as many digits by two combinations of them that are not negative.
+fn combine(greater: &mut [u64], lesser: &mut [u64], first: Combination, second: Combination) {
+    let mut carries = [0_i128; 2];
+    for (x, y) in greater.iter_mut().zip(lesser) {
+        let mut step = |index: usize, by: Combination| {
+            // Of opposite signs, and each less than 2¹²⁶.
+            let sum = carries[index] + times(by.own, *x) + times(by.other, *y);
+            carries[index] = sum >> 64;
+            sum.cast_unsigned() & u128::from(u64::MAX)
+        };
+        let next = [step(0, first), step(1, second)];
+        let [first, second] = next.map(|own| u64::try_from(own).unwrap_or_default());
+        (*x, *y) = (first, second);
+    }
+}
+
+fn times(factor: i64, digit: u64) -> i128 {
+    let size = (u128::from(factor.unsigned_abs()) * u128::from(digit)).cast_signed();
+    if factor < 0 { -size } else { size }
 }
 
 /// The least common multiple, not negative.

@@ -2,7 +2,7 @@ use std::cmp::Ordering;
 use std::fmt;
 use std::str::FromStr;
 
-use num_bigint::BigInt;
+use num_bigint::{BigInt, BigUint};
 
 use super::{Basis, Leading, Place, Ring, binomial_sums, convolution, gcd, halves};
 
@@ -161,6 +161,17 @@ impl Integer {
         } else {
             *self = &*self + other;
         }
+    }
+
+    /// The number of these digits to the base 2⁶⁴, the lowest first.
+    pub(super) fn of_digits(digits: &[u64]) -> Self {
+        if let [low, high] = digits {
+            let size = u128::from(*high) << 64 | u128::from(*low);
+            return Self::from(size);
+        }
+        let halves = digits.iter().flat_map(|own| [*own, own >> 32]);
+        let half = |own: u64| u32::try_from(own & u64::from(u32::MAX)).unwrap_or_default();
+        Self::of_long(BigUint::new(halves.map(half).collect()).into())
     }
 
     /// The digits of |n| to the base 2⁶⁴, the lowest first.
