@@ -1,6 +1,3 @@
-use std::collections::HashMap;
-use std::collections::hash_map::Entry;
-
 use crate::diag::Code;
 use crate::net::ControlNet;
 use crate::number::{Field, Rational, Real};
@@ -167,17 +164,26 @@ impl RoundedNet {
 
     /// The places of equal points, each with the first one of its kind, in the order of the later.
     fn equal_points(&self) -> Vec<((usize, usize), (usize, usize))> {
-        let mut first: HashMap<[Double; 3], (usize, usize)> =
-            HashMap::with_capacity(self.points.iter().map(Vec::len).sum());
+        let columns = self.points.first().map_or(0, Vec::len);
+        let places = (0..self.points.len()).flat_map(|i| (0..columns).map(move |j| (i, j)));
+        // Most points differ in their first coordinate.
+        let bits = |own: Double| own.value().to_bits();
+        let mut order: Vec<_> = places
+            .map(|(i, j)| (bits(self.points[i][j][0]), (i, j)))
+            .collect();
+        order.sort_unstable();
         let mut pairs = Vec::new();
-        for (i, row) in self.points.iter().enumerate() {
-            for (j, point) in row.iter().enumerate() {
-                match first.entry(*point) {
-                    Entry::Vacant(place) => _ = place.insert((i, j)),
-                    Entry::Occupied(earlier) => pairs.push((*earlier.get(), (i, j))),
-                }
+        for alike in order.chunk_by_mut(|left, right| left.0 == right.0) {
+            if alike.len() == 1 {
+                continue;
+            }
+            let rest = |(i, j): (usize, usize)| [1, 2].map(|axis| bits(self.points[i][j][axis]));
+            alike.sort_by_key(|own| rest(own.1));
+            for kind in alike.chunk_by(|left, right| rest(left.1) == rest(right.1)) {
+                pairs.extend(kind[1..].iter().map(|later| (kind[0].1, later.1)));
             }
         }
+        pairs.sort_unstable_by_key(|(_, later)| *later);
         pairs
     }
 }

@@ -23,23 +23,58 @@ pub(super) fn one_by_one<R: Ring>(left: &[R], right: &[R]) -> Vec<R> {
     product
 }
 
-/// The coefficients of the product of two polynomials with these coefficients, if it is worth
-/// while to pack each into one long integer: its value at a power of two beyond all coefficients
-/// of the product.   (Kronecker's substitution)
-///
-/// - **cost** one product of long integers, which grows less than the square of their length
-pub(super) fn packed(left: &[&Integer], right: &[&Integer]) -> Option<Vec<Integer>> {
+/// The same for rational integers, by a bound on the digits of the product: in machine numbers, or
+/// packed; none where some number is irrational, or where neither pays.
+pub(super) fn of_integers<R: Ring>(
+    left: &[R],
+    right: &[R],
+    whole: impl Fn(Integer) -> R,
+) -> Option<Vec<R>> {
     let shorter = left.len().min(right.len());
-    let size = |list: &[&Integer]| list.iter().map(|own| own.bits()).max().unwrap_or(0);
-    let bits = size(left) + size(right) + u64::from(shorter.max(1).ilog2()) + 1;
-    if shorter < SHORT || bits <= MACHINE {
+    let count = u64::from(shorter.max(1).ilog2()) + 1;
+    let bits = size(left)? + size(right)? + count;
+    if bits <= MACHINE {
+        let products = in_machine_numbers(left, right).into_iter();
+        return Some(products.map(|own| whole(Integer::from(own))).collect());
+    }
+    if shorter < SHORT {
         return None;
     }
+    let [left, right] = [left, right].map(|list| list.iter().filter_map(Ring::as_integer));
+    let products = packed(&left.collect::<Vec<_>>(), &right.collect::<Vec<_>>(), bits)?;
+    Some(products.into_iter().map(whole).collect())
+}
+
+/// The digits of the longest number; none where one is irrational.
+fn size<R: Ring>(list: &[R]) -> Option<u64> {
+    let mut bits = 0;
+    for own in list {
+        bits = bits.max(own.as_integer()?.bits());
+    }
+    Some(bits)
+}
+
+fn in_machine_numbers<R: Ring>(left: &[R], right: &[R]) -> Vec<i128> {
+    let machine = |own: &R| own.as_integer().and_then(Integer::machine);
+    let right: Vec<i128> = right.iter().filter_map(machine).collect();
+    let mut product = vec![0; left.len() + right.len() - 1];
+    for (i, own) in left.iter().filter_map(machine).enumerate() {
+        for (sum, other) in product[i..].iter_mut().zip(&right) {
+            *sum += own * other;
+        }
+    }
+    product
+}
+
+/// The product by packing each list into one long integer: its value at a power of two beyond all
+/// coefficients of the product, which have so many digits.   (Kronecker's substitution)
+///
+/// - **cost** one product of long integers, which grows less than the square of their length
+fn packed(left: &[&Integer], right: &[&Integer], bits: u64) -> Option<Vec<Integer>> {
     // One bit more for the sign.
     let width = usize::try_from(bits.div_ceil(DIGIT) + 1).ok()?;
     let product = value(left, width) * value(right, width);
-    let coefficients = unpacked(&product, width, left.len() + right.len() - 1);
-    Some(coefficients)
+    Some(unpacked(&product, width, left.len() + right.len() - 1))
 }
 
 /// Σ aᵢ 2ʷⁱ for a width w of so many digits, greater than all |aᵢ|.
@@ -115,10 +150,9 @@ mod tests {
     fn packed_products_are_those_number_by_number() {
         for seed in 0..40 {
             for (first, second) in [(8, 8), (8, 31), (64, 9), (17, 17)] {
-                for power in [64, 95, 96, 127, 128, 300] {
+                for power in [40, 64, 95, 96, 127, 128, 300] {
                     let (left, right) = (edges(first, power, seed), edges(second, power, seed + 3));
-                    let [one, other] = [&left, &right].map(|own| own.iter().collect::<Vec<_>>());
-                    let product = packed(&one, &other);
+                    let product = of_integers(&left, &right, |own| own);
                     assert_eq!(
                         product,
                         Some(one_by_one(&left, &right)),
@@ -135,18 +169,26 @@ mod tests {
             for length in [8, 15, 16, 64] {
                 let most = (Integer::from(1) << 160) - 1;
                 let left = vec![&most * Integer::from(sign); length];
-                let list: Vec<_> = left.iter().collect();
-                assert_eq!(packed(&list, &list), Some(one_by_one(&left, &left)));
+                let product = of_integers(&left, &left, |own| own);
+                assert_eq!(product, Some(one_by_one(&left, &left)));
             }
         }
     }
 
     #[test]
-    fn short_lists_and_small_numbers_are_left_alone() {
-        let small = vec![Integer::from(3); 100];
-        let list: Vec<_> = small.iter().collect();
-        assert_eq!(packed(&list, &list), None);
+    fn machine_numbers_are_multiplied_up_to_their_last_digit() {
+        for (length, power) in [(1, 63), (2, 62), (5, 62), (7, 62), (100, 59)] {
+            for sign in [1, -1] {
+                let most = (Integer::from(1) << power) - 1;
+                let list = vec![most * Integer::from(sign); length];
+                let product = of_integers(&list, &list, |own| own);
+                assert_eq!(product, Some(one_by_one(&list, &list)));
+            }
+        }
+        let small = edges(100, 40, 3);
+        let product = of_integers(&small, &small, |own| own);
+        assert_eq!(product, Some(one_by_one(&small, &small)));
         let long = vec![Integer::from(1) << 400; 7];
-        assert_eq!(packed(&long.iter().collect::<Vec<_>>(), &list), None);
+        assert_eq!(of_integers(&long, &long, |own| own), None);
     }
 }

@@ -8,6 +8,7 @@ pub fn gcd(left: &Integer, right: &Integer) -> Integer {
     // A machine number on one side makes the other one, by one remainder.
     let remainder = |value: &Integer, divisor: &Integer| (value % divisor).machine();
     match (left.machine(), right.machine()) {
+        (Some(1 | -1), _) | (_, Some(1 | -1)) => Ring::one(),
         (Some(0), _) => right.abs(),
         (_, Some(0)) => left.abs(),
         (Some(first), Some(second)) => of_machine(first, second),

@@ -362,9 +362,8 @@ impl Ring for Integer {
     }
 
     fn convolution(left: &[Self], right: &[Self]) -> Vec<Self> {
-        let lists = [left, right].map(|list| list.iter().collect::<Vec<_>>());
-        let packed = convolution::packed(&lists[0], &lists[1]);
-        packed.unwrap_or_else(|| convolution::one_by_one(left, right))
+        convolution::of_integers(left, right, |own| own)
+            .unwrap_or_else(|| convolution::one_by_one(left, right))
     }
 
     fn binomial_sums(powers: &[Self], degree: usize) -> Vec<Self> {

@@ -256,6 +256,16 @@ impl Field for Surd {
     }
 
     fn times(&self, other: &Self) -> Self {
+        if let (SurdInteger::Rational(left), SurdInteger::Rational(right)) =
+            (&self.numerator, &other.numerator)
+        {
+            // Numbers in lowest terms: only crosswise is there something to cancel.
+            let [first, second] = [gcd(left, &other.denominator), gcd(right, &self.denominator)];
+            return Self {
+                numerator: SurdInteger::Rational((left / &first) * (right / &second)),
+                denominator: (&self.denominator / &second) * (&other.denominator / &first),
+            };
+        }
         let numerator = self.numerator.times(&other.numerator);
         Self::lowest(numerator, &self.denominator * &other.denominator)
     }

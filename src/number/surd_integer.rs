@@ -286,14 +286,9 @@ impl Ring for SurdInteger {
     }
 
     fn convolution(left: &[Self], right: &[Self]) -> Vec<Self> {
-        let rational = |list| <[Self]>::iter(list).map(Ring::as_integer).collect();
-        let lists: (Option<Vec<_>>, Option<Vec<_>>) = (rational(left), rational(right));
-        if let Some((left, right)) = lists.0.zip(lists.1)
-            && let Some(packed) = convolution::packed(&left, &right)
-        {
-            return packed.into_iter().map(Self::Rational).collect();
-        }
-        surd_list::by_parts(left, right).unwrap_or_else(|| convolution::one_by_one(left, right))
+        let product = convolution::of_integers(left, right, Self::Rational);
+        let product = product.or_else(|| surd_list::by_parts(left, right));
+        product.unwrap_or_else(|| convolution::one_by_one(left, right))
     }
 
     fn binomial_sums(powers: &[Self], degree: usize) -> Vec<Self> {

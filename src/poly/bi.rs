@@ -394,9 +394,11 @@ fn top_degree<'a, F: Field>(
     terms: impl Iterator<Item = (&'a UniPoly<F>, &'a UniPoly<F>)> + Clone,
 ) -> Option<usize> {
     let high = terms.clone().filter_map(|(own, _)| own.degree()).max()?;
-    let leading: Vec<_> = terms
-        .filter(|(own, _)| own.degree() == Some(high))
-        .collect();
+    let leading = terms.filter(|(own, _)| own.degree() == Some(high));
+    if leading.clone().nth(1).is_none() {
+        return Some(high);
+    }
+    let leading: Vec<_> = leading.collect();
     // Its own highest coefficient is mostly enough.
     let across = leading.iter().filter_map(|(_, other)| other.degree()).max();
     let highest = leading.iter().filter(|(_, other)| other.degree() == across);

@@ -5,7 +5,6 @@ use crate::sweep::{Domain, Expander, Scalar};
 use crate::syntax::ast::{Expr, ExprKind, Name, Sign};
 
 use super::lowerer::{Lowered, Lowerer};
-use super::numeral::numeral;
 use super::scope::Scope;
 use super::value::Value;
 
@@ -32,13 +31,14 @@ impl<'a> Lowerer<'a> {
                 Err(self.report(finding.help("strings name files and branches")))
             }
             ExprKind::Sum(terms) => self.sum(expr, terms, scope),
-            ExprKind::Product(factors) => match numeral(expr, self.sources.limits.exponent) {
-                Some(number) => {
-                    let number = Scalar::constant(scope.site(expr.span), Real::from(number));
-                    Ok(Value::Scalar(number))
+            ExprKind::Product(factors) => {
+                let constant = |own| Scalar::constant(scope.site(expr.span), Real::from(own));
+                let number = self.numeral(expr).map(constant);
+                match number.or_else(|| self.monomial(expr, factors, scope)) {
+                    Some(own) => Ok(Value::Scalar(own)),
+                    None => self.product(expr.span, factors, scope),
                 }
-                None => self.product(expr.span, factors, scope),
-            },
+            }
             ExprKind::Negate(inner) => {
                 let inner = self.value(inner, scope)?;
                 let site = scope.site(expr.span);
@@ -244,7 +244,7 @@ impl<'a> Lowerer<'a> {
         scope: &Scope<'a>,
     ) -> Lowered<i64> {
         let limit = self.sources.limits.exponent;
-        let number = match numeral(expr, limit) {
+        let number = match self.numeral(expr) {
             Some(number) => Real::from(number),
             None => {
                 let scalar = self.scalar(expr, scope)?;

@@ -13,6 +13,7 @@ mod definition;
 mod expectation;
 mod expression;
 mod lowerer;
+mod monomial;
 mod names;
 mod numeral;
 mod product;

@@ -1,13 +1,19 @@
 use crate::number::{Field, Rational};
 use crate::syntax::ast::{Expr, ExprKind, ProductOp, Sign};
 
+use super::lowerer::Lowerer;
+
 /// How many parentheses and signs a numeral may have around it.
 const NESTING: usize = 4;
 
-/// The number that `7`, `-0.5` or `(3/4)` is: numerals with a sign or one stroke between them. None
-/// for all else, and for what a finding is to be reported of.
-pub(super) fn numeral(expr: &Expr, exponent_limit: u32) -> Option<Rational> {
-    nested(expr, exponent_limit, NESTING)
+impl Lowerer<'_> {
+    /// The number that `7`, `-0.5` or `(3/4)` is: numerals with a sign or one stroke between them.
+    /// None for all else, and for what a finding is to be reported of.
+    pub(super) fn numeral(&self, expr: &Expr) -> Option<Rational> {
+        let limits = self.sources.limits;
+        let left = limits.nesting.saturating_sub(self.depth);
+        nested(expr, limits.exponent, left.min(NESTING))
+    }
 }
 
 fn nested(expr: &Expr, limit: u32, depth: usize) -> Option<Rational> {

@@ -215,6 +215,9 @@ impl Scalar {
     /// −a
     #[must_use]
     pub fn negated(span: Span, value: &Self) -> Self {
+        if let Some(number) = value.as_number() {
+            return Self::constant(span, number.negated());
+        }
         Self::product(
             span,
             vec![Self::constant(span, Real::from(-1)), value.clone()],
