@@ -165,12 +165,16 @@ impl RoundedNet {
     /// The places of equal points, each with the first one of its kind, in the order of the later.
     fn equal_points(&self) -> Vec<((usize, usize), (usize, usize))> {
         let columns = self.points.first().map_or(0, Vec::len);
-        let places = (0..self.points.len()).flat_map(|i| (0..columns).map(move |j| (i, j)));
         // Most points differ in their first coordinate.
         let bits = |own: Double| own.value().to_bits();
-        let mut order: Vec<_> = places
-            .map(|(i, j)| (bits(self.points[i][j][0]), (i, j)))
-            .collect();
+        let mut order = Vec::with_capacity(self.points.len() * columns);
+        for (i, row) in self.points.iter().enumerate() {
+            order.extend(
+                row.iter()
+                    .enumerate()
+                    .map(|(j, own)| (bits(own[0]), (i, j))),
+            );
+        }
         order.sort_unstable();
         let mut pairs = Vec::new();
         for alike in order.chunk_by_mut(|left, right| left.0 == right.0) {

@@ -100,9 +100,9 @@ impl Products {
 
     /// The leading digits of all factors; none where few are known of one.
     pub(super) fn leading(&self) -> Option<LeadingPoints> {
-        let digits = |list: &[Numerator]| list.iter().map(Ring::leading).collect::<Option<_>>();
+        let digits = |list: &[Numerator]| all(list.iter().map(Ring::leading));
         let inverse = |own: &Integer| Leading::of_integer(own).inverse();
-        let inverses = |degree| binomials(degree).iter().map(inverse).collect::<Option<_>>();
+        let inverses = |degree| all(binomials(degree).iter().map(inverse));
         let mut terms = [const { Vec::new() }; 4];
         for (axis, own) in self.terms.iter().enumerate() {
             for (in_u, in_v) in own {
@@ -115,6 +115,15 @@ impl Products {
             first: self.coordinate(0, (0, 0)).leading()?.inverse()?,
         })
     }
+}
+
+/// All digits, if all are known.
+fn all(digits: impl ExactSizeIterator<Item = Option<Leading>>) -> Option<Digits> {
+    let mut list = Vec::with_capacity(digits.len());
+    for own in digits {
+        list.push(own?);
+    }
+    Some(list)
 }
 
 /// C(n, k)
