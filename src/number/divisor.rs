@@ -6,14 +6,19 @@ use super::{Integer, Ring};
 #[must_use]
 pub fn gcd(left: &Integer, right: &Integer) -> Integer {
     // A machine number on one side makes the other one, by one remainder.
-    let remainder = |value: &Integer, divisor: &Integer| (value % divisor).machine();
+    let remainder = |value: &Integer, divisor: i128| match u64::try_from(divisor.unsigned_abs()) {
+        Ok(word) => value.remainder_by_word(word).into(),
+        Err(_) => (value % Integer::from(divisor))
+            .machine()
+            .unwrap_or_default(),
+    };
     match (left.machine(), right.machine()) {
         (Some(1 | -1), _) | (_, Some(1 | -1)) => Ring::one(),
         (Some(0), _) => right.abs(),
         (_, Some(0)) => left.abs(),
         (Some(first), Some(second)) => of_machine(first, second),
-        (Some(first), None) => of_machine(first, remainder(right, left).unwrap_or_default()),
-        (None, Some(second)) => of_machine(second, remainder(left, right).unwrap_or_default()),
+        (Some(first), None) => of_machine(first, remainder(right, first)),
+        (None, Some(second)) => of_machine(second, remainder(left, second)),
         (None, None) => lehmer(left, right),
     }
 }

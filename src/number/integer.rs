@@ -169,9 +169,25 @@ impl Integer {
             let size = u128::from(*high) << 64 | u128::from(*low);
             return Self::from(size);
         }
-        let halves = digits.iter().flat_map(|own| [*own, own >> 32]);
         let half = |own: u64| u32::try_from(own & u64::from(u32::MAX)).unwrap_or_default();
-        Self::of_long(BigUint::new(halves.map(half).collect()).into())
+        let mut halves = Vec::with_capacity(2 * digits.len());
+        for own in digits {
+            halves.extend([half(*own), half(own >> 32)]);
+        }
+        Self::of_long(BigUint::new(halves).into())
+    }
+
+    /// |n| modulo a number that is not 0.
+    pub(super) fn remainder_by_word(&self, divisor: u64) -> u64 {
+        let divisor = u128::from(divisor);
+        let rest = match &self.0 {
+            Form::Machine(own) => own.unsigned_abs() % divisor,
+            Form::Long(own) => {
+                let digits = own.iter_u64_digits().rev();
+                digits.fold(0, |rest, own| (rest << 64 | u128::from(own)) % divisor)
+            }
+        };
+        u64::try_from(rest).unwrap_or_default()
     }
 
     /// The digits of |n| to the base 2⁶⁴, the lowest first.

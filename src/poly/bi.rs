@@ -1,7 +1,7 @@
 use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
 
-use crate::number::{Field, Integer, Ring, lcm};
+use crate::number::{Field, Integer, Leading, Ring, lcm};
 
 use super::{BiDegree, UniPoly, gcd_all};
 
@@ -408,6 +408,9 @@ fn top_degree<'a, F: Field>(
     if signs.all(|own| own == first) {
         return Some(high);
     }
+    if corner_has_digits(highest.clone()) {
+        return Some(high);
+    }
     let lead = |(own, other): &(&UniPoly<F>, &UniPoly<F>)| {
         own.leading_coefficient()
             .times(&other.leading_coefficient())
@@ -422,6 +425,19 @@ fn top_degree<'a, F: Field>(
     let scaled: Vec<_> = scaled.collect();
     let sum = UniPoly::sum(&scaled.iter().collect::<Vec<_>>());
     (!sum.is_zero()).then_some(high)
+}
+
+/// Whether leading digits prove that Σ lc(f) lc(g) is not 0.
+fn corner_has_digits<'a, F: Field>(
+    terms: impl Iterator<Item = &'a (&'a UniPoly<F>, &'a UniPoly<F>)>,
+) -> bool {
+    let quotient = |own: &UniPoly<F>| {
+        let below = Leading::of_integer(own.denominator());
+        own.numerators().last()?.leading()?.times(below.inverse()?)
+    };
+    let mut products = terms.map(|(own, other)| quotient(own)?.times(quotient(other)?));
+    let sum = products.try_fold(Leading::zero(), |sum, own| sum.plus(own?));
+    sum.is_some_and(|own| own.sign().is_ne())
 }
 
 /// The coefficients of 1, x, x², … of Σ f(x) g(y), as polynomials in y; the last is not 0.

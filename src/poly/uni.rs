@@ -23,13 +23,7 @@ impl<F: Field> UniPoly<F> {
         while numerators.last().is_some_and(Ring::is_zero) {
             numerators.pop();
         }
-        let mut common = denominator.clone();
-        for numerator in numerators.iter().rev() {
-            if common.is_one() {
-                break;
-            }
-            common = numerator.content_with(&common);
-        }
+        let mut common = common_content(&numerators, &denominator);
         if Ring::sign(&denominator).is_lt() {
             common = -common;
         }
@@ -216,7 +210,32 @@ impl<F: Field> UniPoly<F> {
         }
         let (numerator, denominator) = factor.parts();
         let scaled = self.numerators.iter().map(|own| own.times(&numerator));
-        Self::from_numerators(scaled.collect(), &self.denominator * denominator)
+        let factor = (std::slice::from_ref(&numerator), &denominator);
+        self.joined(factor, scaled.collect())
+    }
+
+    /// The product with the polynomial of these numerators over this denominator, in lowest terms
+    /// too, from the products of the numerators.
+    ///
+    /// Over the integers the content of a product is the product of the contents, so only crosswise
+    /// is there something to cancel.   (Gauss's lemma)
+    fn joined(&self, other: (&[F::Ring], &Integer), product: Vec<F::Ring>) -> Self {
+        let is_rational = |list: &[F::Ring]| list.iter().all(|own| own.height() == 0);
+        if !is_rational(&self.numerators) || !is_rational(other.0) {
+            return Self::from_numerators(product, &self.denominator * other.1);
+        }
+        let first = common_content(&self.numerators, other.1);
+        let second = common_content(other.0, &self.denominator);
+        let common = &first * &second;
+        let numerators = if common.is_one() {
+            product.into()
+        } else {
+            product.iter().map(|own| own.divided(&common)).collect()
+        };
+        Self {
+            numerators,
+            denominator: (&self.denominator / second) * (other.1 / first),
+        }
     }
 
     /// xⁿ p(x)
@@ -471,6 +490,18 @@ impl<F: Field> UniPoly<F> {
     }
 }
 
+/// The greatest integer that divides an integer and all numbers of a list.
+fn common_content<R: Ring>(list: &[R], with: &Integer) -> Integer {
+    let mut common = with.clone();
+    for own in list.iter().rev() {
+        if common.is_one() {
+            break;
+        }
+        common = own.content_with(&common);
+    }
+    common
+}
+
 impl<F: Field> Add for &UniPoly<F> {
     type Output = UniPoly<F>;
     fn add(self, other: Self) -> UniPoly<F> {
@@ -515,7 +546,7 @@ impl<F: Field> Mul for &UniPoly<F> {
             _ => {}
         }
         let product = F::Ring::convolution(&self.numerators, &other.numerators);
-        UniPoly::from_numerators(product, &self.denominator * &other.denominator)
+        self.joined((&other.numerators, &other.denominator), product)
     }
 }
 
