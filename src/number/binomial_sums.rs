@@ -1,5 +1,6 @@
 //! Σ aₖ xᵏ (1+x)ⁿ⁻ᵏ, as lists of coefficients: the way from powers to Bernstein coefficients.
 
+use super::words::{add, add_integer, integer};
 use super::{Integer, Ring};
 
 /// The coefficients of Σ aₖ xᵏ (1+x)ⁿ⁻ᵏ for as many k as there are, n + 1 at most: additions only.
@@ -62,59 +63,18 @@ fn in_machine_numbers<R: Ring>(powers: &[R], degree: usize) -> Vec<i128> {
 
 fn in_words<R: Ring>(powers: &[R], degree: usize, width: usize) -> Vec<u64> {
     let mut words = vec![0_u64; width * (degree + 1)];
+    let mut room = vec![0_u64; width];
     for order in 0..=degree {
         for index in (1..=order).rev() {
             let (below, above) = words.split_at_mut(index * width);
             add(&mut above[..width], &below[(index - 1) * width..]);
         }
         if let Some(own) = powers.get(order).and_then(Ring::as_integer) {
-            add_integer(&mut words[order * width..(order + 1) * width], own);
+            let place = &mut words[order * width..(order + 1) * width];
+            add_integer(place, own, &mut room);
         }
     }
     words
-}
-
-/// a += b, the carry out of the last word dropped.
-fn add(sum: &mut [u64], other: &[u64]) {
-    let mut carry = false;
-    for (own, other) in sum.iter_mut().zip(other) {
-        let (partial, first) = own.overflowing_add(*other);
-        let (total, second) = partial.overflowing_add(u64::from(carry));
-        (*own, carry) = (total, first | second);
-    }
-}
-
-fn add_integer(sum: &mut [u64], value: &Integer) {
-    let mut words = value.digits();
-    words.resize(sum.len(), 0);
-    if Ring::sign(value).is_lt() {
-        negate(&mut words);
-    }
-    add(sum, &words);
-}
-
-/// −a
-fn negate(words: &mut [u64]) {
-    let mut carry = true;
-    for own in words {
-        (*own, carry) = (!*own).overflowing_add(u64::from(carry));
-    }
-}
-
-/// The number in words of two's complement.
-fn integer(words: &[u64]) -> Integer {
-    let negative = words.last().is_some_and(|own| own >> 63 == 1);
-    let fill = if negative { u64::MAX } else { 0 };
-    let word = |index: usize| u128::from(words.get(index).copied().unwrap_or(fill));
-    if words.iter().skip(2).all(|own| *own == fill) && word(1) >> 63 == u128::from(fill & 1) {
-        return Integer::from((word(1) << 64 | word(0)).cast_signed());
-    }
-    let mut size = words.to_vec();
-    if negative {
-        negate(&mut size);
-    }
-    let size = Integer::of_digits(&size);
-    if negative { -size } else { size }
 }
 
 #[cfg(test)]

@@ -1,16 +1,18 @@
 //! Products of polynomials, as lists of coefficients.
 
-use num_bigint::{BigInt, BigUint, Sign};
+use num_bigint::{BigInt, Sign};
 
-use super::integer::Form;
+use super::words::{add_product, integer, subtract};
 use super::{Integer, Ring};
 
-/// The bits of a digit.
-const DIGIT: u64 = 32;
+/// The bits of a word.
+const WORD: u64 = 64;
+/// The digits of products that are machine numbers.
+const MACHINE: u64 = 127;
 /// Lists shorter than this are multiplied number by number.
 const SHORT: usize = 8;
-/// So are numbers whose products are machine numbers.
-const MACHINE: u64 = 127;
+/// So are numbers whose products take no more products of words than this.
+const FEW: u64 = 30;
 
 /// The coefficients of the product of two polynomials with these coefficients, number by number.
 pub(super) fn one_by_one<R: Ring>(left: &[R], right: &[R]) -> Vec<R> {
@@ -23,8 +25,8 @@ pub(super) fn one_by_one<R: Ring>(left: &[R], right: &[R]) -> Vec<R> {
     product
 }
 
-/// The same for rational integers, by a bound on the digits of the product: in machine numbers, or
-/// packed; none where some number is irrational, or where neither pays.
+/// The same for rational integers, by a bound on the digits of the product: in machine numbers, in
+/// words, or packed; none where some number is irrational.
 pub(super) fn of_integers<R: Ring>(
     left: &[R],
     right: &[R],
@@ -32,17 +34,22 @@ pub(super) fn of_integers<R: Ring>(
 ) -> Option<Vec<R>> {
     let shorter = left.len().min(right.len());
     let count = u64::from(shorter.max(1).ilog2()) + 1;
-    let bits = size(left)? + size(right)? + count;
+    let (first, second) = (size(left)?, size(right)?);
+    let bits = first + second + count;
     if bits <= MACHINE {
         let products = in_machine_numbers(left, right).into_iter();
         return Some(products.map(|own| whole(Integer::from(own))).collect());
     }
-    if shorter < SHORT {
-        return None;
-    }
-    let [left, right] = [left, right].map(|list| list.iter().filter_map(Ring::as_integer));
-    let products = packed(&left.collect::<Vec<_>>(), &right.collect::<Vec<_>>(), bits)?;
-    Some(products.into_iter().map(whole).collect())
+    // One bit more for the sign.
+    let width = usize::try_from((bits + 1).div_ceil(WORD)).ok()?;
+    let few = shorter < SHORT || first.div_ceil(WORD) * second.div_ceil(WORD) <= FEW;
+    let words = if few {
+        in_words(left, right, width)
+    } else {
+        packed(left, right, width)
+    };
+    let products = words.chunks_exact(width);
+    Some(products.map(|own| whole(integer(own))).collect())
 }
 
 /// The digits of the longest number; none where one is irrational.
@@ -66,63 +73,101 @@ fn in_machine_numbers<R: Ring>(left: &[R], right: &[R]) -> Vec<i128> {
     product
 }
 
-/// The product by packing each list into one long integer: its value at a power of two beyond all
-/// coefficients of the product, which have so many digits.   (Kronecker's substitution)
-///
-/// - **cost** one product of long integers, which grows less than the square of their length
-fn packed(left: &[&Integer], right: &[&Integer], bits: u64) -> Option<Vec<Integer>> {
-    // One bit more for the sign.
-    let width = usize::try_from(bits.div_ceil(DIGIT) + 1).ok()?;
-    let product = value(left, width) * value(right, width);
-    Some(unpacked(&product, width, left.len() + right.len() - 1))
+/// Absolute values in so many words each as are needed, and whether they are negative.
+struct Signed {
+    width: usize,
+    words: Vec<u64>,
+    negative: Vec<bool>,
 }
 
-/// Σ aᵢ 2ʷⁱ for a width w of so many digits, greater than all |aᵢ|.
-fn value(list: &[&Integer], width: usize) -> BigInt {
-    let mut digits = [
-        vec![0_u32; list.len() * width],
-        vec![0_u32; list.len() * width],
-    ];
-    for (index, own) in list.iter().enumerate() {
-        let negative = usize::from(Ring::sign(*own).is_lt());
-        let place = &mut digits[negative][index * width..];
-        for (place, digit) in place.iter_mut().zip(magnitude(own)) {
-            *place = digit;
+impl Signed {
+    fn of<R: Ring>(list: &[R]) -> Self {
+        let bits = size(list).unwrap_or_default().max(1);
+        let width = usize::try_from(bits.div_ceil(WORD)).unwrap_or_default();
+        let mut words = vec![0; list.len() * width];
+        for (place, own) in words.chunks_exact_mut(width).zip(list) {
+            if let Some(own) = own.as_integer() {
+                own.write_digits(place);
+            }
+        }
+        Self {
+            width,
+            words,
+            negative: list.iter().map(|own| own.sign().is_lt()).collect(),
         }
     }
-    let [positive, negative] = digits.map(BigUint::new);
-    BigInt::from(positive) - BigInt::from(negative)
-}
 
-/// The digits of |n|, the lowest first.
-fn magnitude(value: &Integer) -> Vec<u32> {
-    match value.form() {
-        Form::Machine(own) => BigUint::from(own.unsigned_abs()).to_u32_digits(),
-        Form::Long(own) => own.magnitude().to_u32_digits(),
+    fn iter(&self) -> impl Iterator<Item = (&[u64], &bool)> {
+        self.words.chunks_exact(self.width).zip(&self.negative)
     }
 }
 
-/// The aᵢ of Σ aᵢ 2ʷⁱ with |aᵢ| < 2ʷ⁻¹: a chunk of digits from the half on stands for a negative
-/// number, and one is carried.
-fn unpacked(product: &BigInt, width: usize, count: usize) -> Vec<Integer> {
-    let negative = product.sign() == Sign::Minus;
-    let mut digits = product.magnitude().to_u32_digits();
-    digits.resize(count * width, 0);
-    let whole = BigUint::from(1_u32) << (width * 32);
-    let mut carry = 0_u32;
-    let chunks = digits.chunks_exact(width).map(|chunk| {
-        let value = BigUint::new(chunk.to_vec()) + carry;
-        let is_upper = value.bits() == whole.bits() - 1 || value == whole;
-        carry = u32::from(is_upper);
-        let (sign, size) = if is_upper {
-            (Sign::Minus, &whole - value)
-        } else {
-            (Sign::Plus, value)
-        };
-        let value = BigInt::from_biguint(sign, size);
-        Integer::of_long(if negative { -value } else { value })
-    });
-    chunks.collect()
+/// The product number by number, each of its coefficients in so many words of two's complement.
+fn in_words<R: Ring>(left: &[R], right: &[R], width: usize) -> Vec<u64> {
+    let length = left.len() + right.len() - 1;
+    let (left, right) = (Signed::of(left), Signed::of(right));
+    let mut sums = vec![0; length * width];
+    let mut negative = vec![0; length * width];
+    for (i, (own, below)) in left.iter().enumerate() {
+        for (j, (other, also)) in right.iter().enumerate() {
+            let list = if below == also {
+                &mut sums
+            } else {
+                &mut negative
+            };
+            add_product(&mut list[(i + j) * width..(i + j + 1) * width], own, other);
+        }
+    }
+    let pairs = sums
+        .chunks_exact_mut(width)
+        .zip(negative.chunks_exact(width));
+    pairs.for_each(|(own, other)| subtract(own, other));
+    sums
+}
+
+/// The same by packing each list into one long integer: its value at a power of two beyond all
+/// coefficients of the product.   (Kronecker's substitution)
+///
+/// - **cost** one product of long integers, which grows less than the square of their length
+fn packed<R: Ring>(left: &[R], right: &[R], width: usize) -> Vec<u64> {
+    let product = value(left, width) * value(right, width);
+    let length = left.len() + right.len() - 1;
+    let mut words = vec![0; length * width];
+    let digits = product.iter_u64_digits();
+    for (place, digit) in words.iter_mut().zip(digits) {
+        *place = digit;
+    }
+    if product.sign() == Sign::Minus {
+        let size = words.clone();
+        words.fill(0);
+        subtract(&mut words, &size);
+    }
+    // A negative number has taken one from the next.
+    let mut borrowed = 0;
+    for own in words.chunks_exact_mut(width) {
+        let mut carry = borrowed;
+        for word in own.iter_mut() {
+            (*word, carry) = match word.overflowing_add(carry) {
+                (sum, overflow) => (sum, u64::from(overflow)),
+            };
+        }
+        borrowed = own.last().map_or(0, |top| top >> 63).max(carry);
+    }
+    words
+}
+
+/// Σ aᵢ 2ʷⁱ for a width w of so many words, greater than all |aᵢ|.
+fn value<R: Ring>(list: &[R], width: usize) -> BigInt {
+    let mut digits = [vec![0; list.len() * width], vec![0; list.len() * width]];
+    for (index, own) in list.iter().enumerate() {
+        let negative = usize::from(own.sign().is_lt());
+        if let Some(own) = own.as_integer() {
+            own.write_digits(&mut digits[negative][index * width..]);
+        }
+    }
+    let [positive, negative] =
+        digits.map(|own| BigInt::from(&Integer::of_digits(Sign::Plus, own.into_iter())));
+    positive - negative
 }
 
 #[cfg(test)]
@@ -149,8 +194,8 @@ mod tests {
     #[test]
     fn packed_products_are_those_number_by_number() {
         for seed in 0..40 {
-            for (first, second) in [(8, 8), (8, 31), (64, 9), (17, 17)] {
-                for power in [40, 64, 95, 96, 127, 128, 300] {
+            for (first, second) in [(1, 5), (7, 3), (8, 8), (8, 31), (64, 9), (17, 17)] {
+                for power in [40, 64, 95, 96, 127, 128, 300, 383, 384, 447, 448] {
                     let (left, right) = (edges(first, power, seed), edges(second, power, seed + 3));
                     let product = of_integers(&left, &right, |own| own);
                     assert_eq!(
@@ -166,11 +211,13 @@ mod tests {
     #[test]
     fn all_signs_alike_fill_the_width() {
         for sign in [1, -1] {
-            for length in [8, 15, 16, 64] {
-                let most = (Integer::from(1) << 160) - 1;
-                let left = vec![&most * Integer::from(sign); length];
-                let product = of_integers(&left, &left, |own| own);
-                assert_eq!(product, Some(one_by_one(&left, &left)));
+            for length in [1, 7, 8, 15, 16, 64] {
+                for power in [124, 160, 446, 447, 448] {
+                    let most = (Integer::from(1) << power) - 1;
+                    let left = vec![&most * Integer::from(sign); length];
+                    let product = of_integers(&left, &left, |own| own);
+                    assert_eq!(product, Some(one_by_one(&left, &left)));
+                }
             }
         }
     }
@@ -188,7 +235,5 @@ mod tests {
         let small = edges(100, 40, 3);
         let product = of_integers(&small, &small, |own| own);
         assert_eq!(product, Some(one_by_one(&small, &small)));
-        let long = vec![Integer::from(1) << 400; 7];
-        assert_eq!(of_integers(&long, &long, |own| own), None);
     }
 }

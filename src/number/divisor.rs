@@ -1,3 +1,4 @@
+use num_bigint::Sign;
 use num_integer::Integer as _;
 
 use super::{Integer, Ring};
@@ -52,7 +53,7 @@ fn lehmer(left: &Integer, right: &Integer) -> Integer {
     while lesser.len() > 2 {
         let (first, second) = cosequence(leading(&greater, &lesser));
         if first.other == 0 {
-            let rest = &Integer::of_digits(&greater) % &Integer::of_digits(&lesser);
+            let rest = &positive(&greater) % &positive(&lesser);
             greater = std::mem::replace(&mut lesser, rest.digits());
         } else {
             lesser.resize(greater.len(), 0);
@@ -62,10 +63,10 @@ fn lehmer(left: &Integer, right: &Integer) -> Integer {
         trim(&mut lesser);
     }
     if lesser.is_empty() {
-        return Integer::of_digits(&greater);
+        return positive(&greater);
     }
     if greater.len() > 2 {
-        greater = (Integer::of_digits(&greater) % Integer::of_digits(&lesser)).digits();
+        greater = (positive(&greater) % positive(&lesser)).digits();
     }
     of_double_words(double_word(&greater), double_word(&lesser))
 }
@@ -74,6 +75,10 @@ fn lehmer(left: &Integer, right: &Integer) -> Integer {
 fn double_word(digits: &[u64]) -> u128 {
     let higher_first = digits.iter().rev();
     higher_first.fold(0, |number, own| number << 64 | u128::from(*own))
+}
+
+fn positive(digits: &[u64]) -> Integer {
+    Integer::of_digits(Sign::Plus, digits.iter().copied())
 }
 
 /// Drops leading zeros.

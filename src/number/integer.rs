@@ -2,7 +2,7 @@ use std::cmp::Ordering;
 use std::fmt;
 use std::str::FromStr;
 
-use num_bigint::{BigInt, BigUint};
+use num_bigint::{BigInt, BigUint, Sign};
 
 use super::{Basis, Leading, Place, Ring, binomial_sums, convolution, gcd, halves};
 
@@ -79,7 +79,7 @@ impl Integer {
         match &self.0 {
             Form::Machine(own) if *own <= 0 => Ring::zero(),
             Form::Machine(own) => own.unsigned_abs().isqrt().into(),
-            Form::Long(own) if own.sign() == num_bigint::Sign::Minus => Ring::zero(),
+            Form::Long(own) if own.sign() == Sign::Minus => Ring::zero(),
             Form::Long(own) => Self::of_long(own.sqrt()),
         }
     }
@@ -164,17 +164,13 @@ impl Integer {
     }
 
     /// The number of these digits to the base 2⁶⁴, the lowest first.
-    pub(super) fn of_digits(digits: &[u64]) -> Self {
-        if let [low, high] = digits {
-            let size = u128::from(*high) << 64 | u128::from(*low);
-            return Self::from(size);
-        }
+    pub(super) fn of_digits(sign: Sign, digits: impl ExactSizeIterator<Item = u64>) -> Self {
         let half = |own: u64| u32::try_from(own & u64::from(u32::MAX)).unwrap_or_default();
         let mut halves = Vec::with_capacity(2 * digits.len());
         for own in digits {
-            halves.extend([half(*own), half(own >> 32)]);
+            halves.extend([half(own), half(own >> 32)]);
         }
-        Self::of_long(BigUint::new(halves).into())
+        Self::of_long(BigInt::from_biguint(sign, BigUint::new(halves)))
     }
 
     /// |n| modulo a number that is not 0.
@@ -182,26 +178,49 @@ impl Integer {
         let divisor = u128::from(divisor);
         let rest = match &self.0 {
             Form::Machine(own) => own.unsigned_abs() % divisor,
-            Form::Long(own) => {
-                let digits = own.iter_u64_digits().rev();
-                digits.fold(0, |rest, own| (rest << 64 | u128::from(own)) % divisor)
+            Form::Long(_) => {
+                self.fold_digits(0, |rest, own| (rest << 64 | u128::from(own)) % divisor)
             }
         };
         u64::try_from(rest).unwrap_or_default()
     }
 
+    /// Goes through the digits of |n| to the base 2⁶⁴, the highest first.
+    pub(super) fn fold_digits<T>(&self, first: T, mut step: impl FnMut(T, u64) -> T) -> T {
+        match &self.0 {
+            Form::Machine(own) => {
+                let [low, high] = double_word(*own);
+                let first = step(first, high);
+                step(first, low)
+            }
+            Form::Long(own) => own.iter_u64_digits().rev().fold(first, step),
+        }
+    }
+
+    /// Writes the digits of |n| to the base 2⁶⁴ into a list of zeros, the lowest first.
+    pub(super) fn write_digits(&self, place: &mut [u64]) {
+        let write = |(place, digit): (&mut u64, u64)| *place = digit;
+        match &self.0 {
+            Form::Machine(own) => place.iter_mut().zip(double_word(*own)).for_each(write),
+            Form::Long(own) => place.iter_mut().zip(own.iter_u64_digits()).for_each(write),
+        }
+    }
+
     /// The digits of |n| to the base 2⁶⁴, the lowest first.
     pub(super) fn digits(&self) -> Vec<u64> {
         match &self.0 {
-            Form::Machine(own) => {
-                let size = own.unsigned_abs();
-                let low = u64::try_from(size & u128::from(u64::MAX)).unwrap_or_default();
-                let high = u64::try_from(size >> 64).unwrap_or_default();
-                vec![low, high]
-            }
+            Form::Machine(own) => double_word(*own).to_vec(),
             Form::Long(own) => own.iter_u64_digits().collect(),
         }
     }
+}
+
+/// The digits of |n|, the lower first.
+fn double_word(value: i128) -> [u64; 2] {
+    let size = value.unsigned_abs();
+    let low = u64::try_from(size & u128::from(u64::MAX)).unwrap_or_default();
+    let high = u64::try_from(size >> 64).unwrap_or_default();
+    [low, high]
 }
 
 /// 0
@@ -422,7 +441,7 @@ impl Ring for Integer {
     fn sign(&self) -> Ordering {
         match &self.0 {
             Form::Machine(own) => own.cmp(&0),
-            Form::Long(own) if own.sign() == num_bigint::Sign::Minus => Ordering::Less,
+            Form::Long(own) if own.sign() == Sign::Minus => Ordering::Less,
             Form::Long(_) => Ordering::Greater,
         }
     }

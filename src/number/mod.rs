@@ -25,6 +25,7 @@ mod surd_integer;
 mod surd_list;
 mod tower;
 mod unit;
+mod words;
 
 pub use basis::Basis;
 use basis::radicals;

@@ -96,8 +96,8 @@ impl Modulus {
             };
         }
         // Digits d_k of 64 bits: Horner's rule in the base 2⁶⁴, whose image is 2¹²⁸ mod q.
-        let sum = value.digits().iter().rev().fold(0, |sum, digit| {
-            self.plus(self.times(sum, self.square), self.embed(*digit))
+        let sum = value.fold_digits(0, |sum, digit| {
+            self.plus(self.times(sum, self.square), self.embed(digit))
         });
         if Ring::sign(value).is_lt() {
             self.minus(0, sum)
