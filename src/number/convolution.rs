@@ -2,17 +2,19 @@
 
 use num_bigint::{BigInt, Sign};
 
-use super::words::{add_product, integer, subtract};
+use super::words::{Signed, add_product, integer, subtract};
 use super::{Integer, Ring};
 
 /// The bits of a word.
 const WORD: u64 = 64;
 /// The digits of products that are machine numbers.
 const MACHINE: u64 = 127;
-/// Lists shorter than this are multiplied number by number.
+/// Lists shorter than this are not packed.
 const SHORT: usize = 8;
-/// So are numbers whose products take no more products of words than this.
-const FEW: u64 = 30;
+/// Numbers whose products take more products of words than this are, in longer lists.
+const FEW: usize = 30;
+/// Numbers of more words than this are multiplied faster than word by word.
+const LONG: usize = 24;
 
 /// The coefficients of the product of two polynomials with these coefficients, number by number.
 pub(super) fn one_by_one<R: Ring>(left: &[R], right: &[R]) -> Vec<R> {
@@ -26,7 +28,7 @@ pub(super) fn one_by_one<R: Ring>(left: &[R], right: &[R]) -> Vec<R> {
 }
 
 /// The same for rational integers, by a bound on the digits of the product: in machine numbers, in
-/// words, or packed; none where some number is irrational.
+/// words, or packed. None where some number is irrational, and for few long numbers.
 pub(super) fn of_integers<R: Ring>(
     left: &[R],
     right: &[R],
@@ -40,13 +42,15 @@ pub(super) fn of_integers<R: Ring>(
         let products = in_machine_numbers(left, right).into_iter();
         return Some(products.map(|own| whole(Integer::from(own))).collect());
     }
+    let (left, right) = (Signed::of(left, first), Signed::of(right, second));
     // One bit more for the sign.
     let width = usize::try_from((bits + 1).div_ceil(WORD)).ok()?;
-    let few = shorter < SHORT || first.div_ceil(WORD) * second.div_ceil(WORD) <= FEW;
-    let words = if few {
-        in_words(left, right, width)
+    let words = if shorter >= SHORT && left.width() * right.width() > FEW {
+        packed(&left, &right, width)
+    } else if left.width().min(right.width()) <= LONG {
+        in_words(&left, &right, width)
     } else {
-        packed(left, right, width)
+        return None;
     };
     let products = words.chunks_exact(width);
     Some(products.map(|own| whole(integer(own))).collect())
@@ -73,39 +77,9 @@ fn in_machine_numbers<R: Ring>(left: &[R], right: &[R]) -> Vec<i128> {
     product
 }
 
-/// Absolute values in so many words each as are needed, and whether they are negative.
-struct Signed {
-    width: usize,
-    words: Vec<u64>,
-    negative: Vec<bool>,
-}
-
-impl Signed {
-    fn of<R: Ring>(list: &[R]) -> Self {
-        let bits = size(list).unwrap_or_default().max(1);
-        let width = usize::try_from(bits.div_ceil(WORD)).unwrap_or_default();
-        let mut words = vec![0; list.len() * width];
-        for (place, own) in words.chunks_exact_mut(width).zip(list) {
-            if let Some(own) = own.as_integer() {
-                own.write_digits(place);
-            }
-        }
-        Self {
-            width,
-            words,
-            negative: list.iter().map(|own| own.sign().is_lt()).collect(),
-        }
-    }
-
-    fn iter(&self) -> impl Iterator<Item = (&[u64], &bool)> {
-        self.words.chunks_exact(self.width).zip(&self.negative)
-    }
-}
-
 /// The product number by number, each of its coefficients in so many words of two's complement.
-fn in_words<R: Ring>(left: &[R], right: &[R], width: usize) -> Vec<u64> {
+fn in_words(left: &Signed, right: &Signed, width: usize) -> Vec<u64> {
     let length = left.len() + right.len() - 1;
-    let (left, right) = (Signed::of(left), Signed::of(right));
     let mut sums = vec![0; length * width];
     let mut negative = vec![0; length * width];
     for (i, (own, below)) in left.iter().enumerate() {
@@ -129,7 +103,7 @@ fn in_words<R: Ring>(left: &[R], right: &[R], width: usize) -> Vec<u64> {
 /// coefficients of the product.   (Kronecker's substitution)
 ///
 /// - **cost** one product of long integers, which grows less than the square of their length
-fn packed<R: Ring>(left: &[R], right: &[R], width: usize) -> Vec<u64> {
+fn packed(left: &Signed, right: &Signed, width: usize) -> Vec<u64> {
     let product = value(left, width) * value(right, width);
     let length = left.len() + right.len() - 1;
     let mut words = vec![0; length * width];
@@ -143,27 +117,24 @@ fn packed<R: Ring>(left: &[R], right: &[R], width: usize) -> Vec<u64> {
         subtract(&mut words, &size);
     }
     // A negative number has taken one from the next.
-    let mut borrowed = 0;
+    let mut taken = 0;
     for own in words.chunks_exact_mut(width) {
-        let mut carry = borrowed;
+        let mut carry = taken;
         for word in own.iter_mut() {
-            (*word, carry) = match word.overflowing_add(carry) {
-                (sum, overflow) => (sum, u64::from(overflow)),
-            };
+            let (sum, overflow) = word.overflowing_add(carry);
+            (*word, carry) = (sum, u64::from(overflow));
         }
-        borrowed = own.last().map_or(0, |top| top >> 63).max(carry);
+        taken = own.last().map_or(0, |top| top >> 63).max(carry);
     }
     words
 }
 
 /// Σ aᵢ 2ʷⁱ for a width w of so many words, greater than all |aᵢ|.
-fn value<R: Ring>(list: &[R], width: usize) -> BigInt {
+fn value(list: &Signed, width: usize) -> BigInt {
     let mut digits = [vec![0; list.len() * width], vec![0; list.len() * width]];
-    for (index, own) in list.iter().enumerate() {
-        let negative = usize::from(own.sign().is_lt());
-        if let Some(own) = own.as_integer() {
-            own.write_digits(&mut digits[negative][index * width..]);
-        }
+    for (index, (words, negative)) in list.iter().enumerate() {
+        let place = &mut digits[usize::from(*negative)][index * width..];
+        place[..words.len()].copy_from_slice(words);
     }
     let [positive, negative] =
         digits.map(|own| BigInt::from(&Integer::of_digits(Sign::Plus, own.into_iter())));
@@ -217,6 +188,27 @@ mod tests {
                     let left = vec![&most * Integer::from(sign); length];
                     let product = of_integers(&left, &left, |own| own);
                     assert_eq!(product, Some(one_by_one(&left, &left)));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn both_roads_lead_to_the_same_product() {
+        for (first, second) in [(1, 1), (3, 8), (16, 17), (40, 9)] {
+            for power in [1, 63, 64, 191, 192, 500, 1_900] {
+                for seed in 0..7 {
+                    let (left, right) = (edges(first, power, seed), edges(second, power, seed + 3));
+                    let bits = u64::from(power) + 1;
+                    let whole = 2 * bits + 6;
+                    let product = one_by_one(&left, &right);
+                    let signed = [&left, &right].map(|own| Signed::of(own, bits));
+                    let [left, right] = &signed;
+                    let width = usize::try_from(whole.div_ceil(WORD)).unwrap_or_default();
+                    for words in [in_words(left, right, width), packed(left, right, width)] {
+                        let coefficients = words.chunks_exact(width).map(integer);
+                        assert_eq!(coefficients.collect::<Vec<_>>(), product);
+                    }
                 }
             }
         }

@@ -77,3 +77,43 @@ pub(super) fn integer(words: &[u64]) -> Integer {
     let sign = if negative { Sign::Minus } else { Sign::Plus };
     Integer::of_digits(sign, digits)
 }
+
+/// Integers as their absolute values, in as many words each, and whether they are negative.
+pub(super) struct Signed {
+    width: usize,
+    words: Vec<u64>,
+    negative: Vec<bool>,
+}
+
+impl Signed {
+    /// The integers of a list, of no more than so many binary digits.
+    pub(super) fn of<R: Ring>(list: &[R], bits: u64) -> Self {
+        let width = usize::try_from(bits.max(1).div_ceil(64)).unwrap_or_default();
+        let mut words = vec![0; list.len() * width];
+        for (place, own) in words.chunks_exact_mut(width).zip(list) {
+            if let Some(own) = own.as_integer() {
+                own.write_digits(place);
+            }
+        }
+        Self {
+            width,
+            words,
+            negative: list.iter().map(|own| own.sign().is_lt()).collect(),
+        }
+    }
+
+    /// How many numbers there are.
+    pub(super) fn len(&self) -> usize {
+        self.negative.len()
+    }
+
+    /// How many words each has.
+    pub(super) fn width(&self) -> usize {
+        self.width
+    }
+
+    /// The words of each, and whether it is negative.
+    pub(super) fn iter(&self) -> impl Iterator<Item = (&[u64], &bool)> {
+        self.words.chunks_exact(self.width).zip(&self.negative)
+    }
+}
