@@ -23,8 +23,15 @@ pub(super) struct Control {
 #[derive(Clone, Debug)]
 pub(super) struct Products {
     degree: BiDegree,
-    /// The fₖ and gₖ of W, X, Y, Z.
-    terms: [Vec<(Vec<Numerator>, Rc<[Numerator]>)>; 4],
+    /// The terms of W, X, Y, Z.
+    terms: [Vec<Term>; 4],
+}
+
+/// fₖ and gₖ; terms share what was converted once.
+#[derive(Clone, Debug)]
+struct Term {
+    in_u: Vec<Numerator>,
+    in_v: Rc<[Numerator]>,
 }
 
 impl Products {
@@ -62,7 +69,10 @@ impl Products {
             let scaled = own.into_iter().map(|term| {
                 let scale = &denominator / below(&term);
                 let in_u = term.0.numerators.iter().map(|own| own.scaled(&scale));
-                (in_u.collect(), term.1.numerators)
+                Term {
+                    in_u: in_u.collect(),
+                    in_v: term.1.numerators,
+                }
             });
             scaled.collect()
         });
@@ -72,8 +82,8 @@ impl Products {
     /// The coordinate of an axis, W first, at (i, j), times the factor of the point.
     pub(super) fn coordinate(&self, axis: usize, (i, j): (usize, usize)) -> Numerator {
         let mut sum = Numerator::zero();
-        for (in_u, in_v) in &self.terms[axis] {
-            sum.add_product(&in_u[i], &in_v[j]);
+        for term in &self.terms[axis] {
+            sum.add_product(&term.in_u[i], &term.in_v[j]);
         }
         sum
     }
@@ -105,7 +115,7 @@ impl Products {
         let inverses = |degree| all(binomials(degree).iter().map(inverse));
         let mut terms = [const { Vec::new() }; 4];
         for (axis, own) in self.terms.iter().enumerate() {
-            for (in_u, in_v) in own {
+            for Term { in_u, in_v } in own {
                 terms[axis].push((digits(in_u)?, digits(in_v)?));
             }
         }

@@ -2,13 +2,24 @@ use std::ops::Deref;
 use std::sync::Arc;
 
 /// The numerators of a polynomial, which copies share; a constant needs no memory of its own.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, Debug)]
 pub(super) enum Numerators<R> {
     Zero,
     Constant(R),
     /// Two at least.
     Several(Arc<[R]>),
 }
+
+impl<R: PartialEq> PartialEq for Numerators<R> {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Several(own), Self::Several(other)) => Arc::ptr_eq(own, other) || own == other,
+            _ => **self == **other,
+        }
+    }
+}
+
+impl<R: Eq> Eq for Numerators<R> {}
 
 impl<R> From<Vec<R>> for Numerators<R> {
     fn from(mut list: Vec<R>) -> Self {

@@ -1,5 +1,5 @@
 use std::cell::RefCell;
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use crate::curve::{Curve, Parameter};
@@ -355,7 +355,7 @@ impl<'a> Lowerer<'a> {
             return Err(self.report(finding.help(usage)));
         }
         self.check_arguments(name, parameters.len(), arguments, parenthesis, scope)?;
-        let mut bound: HashMap<String, Binding<'a>> = HashMap::new();
+        let mut bound: BTreeMap<String, Binding<'a>> = BTreeMap::new();
         for (parameter, argument) in parameters.iter().zip(arguments) {
             let binding = self.hand_over(&argument.value, scope)?;
             self.bind_once(&mut bound, parameter, binding, scope)?;
@@ -427,7 +427,7 @@ impl<'a> Lowerer<'a> {
 
     fn bind_once(
         &mut self,
-        bound: &mut HashMap<String, Binding<'a>>,
+        bound: &mut BTreeMap<String, Binding<'a>>,
         name: &Name,
         binding: Binding<'a>,
         scope: &Scope<'_>,

@@ -1,4 +1,4 @@
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
 
 use crate::curve::{Curve, Parameter};
@@ -68,8 +68,8 @@ pub(super) struct Lowerer<'a> {
     pub(super) sources: &'a Sources<'a>,
     /// The field of all numbers, which grows as they need it.
     pub(super) tower: Tower,
-    pub(super) definitions: HashMap<&'a str, Definition<'a>>,
-    pub(super) meanings: HashMap<&'a str, Meaning>,
+    pub(super) definitions: BTreeMap<&'a str, Definition<'a>>,
+    pub(super) meanings: BTreeMap<&'a str, Meaning>,
     /// Names that are being worked out, outermost first.
     pub(super) pending: Vec<&'a Name>,
     pub(super) diagnostics: Diagnostics,
@@ -87,13 +87,11 @@ pub(super) struct Lowerer<'a> {
 
 impl<'a> Lowerer<'a> {
     fn new(sources: &'a Sources<'a>) -> Self {
-        let documents = sources.library.iter().chain(sources.documents);
-        let items = documents.map(|own| own.items.len()).sum();
         Self {
             sources,
             tower: Tower::new(sources.limits.field_degree),
-            definitions: HashMap::with_capacity(items),
-            meanings: HashMap::new(),
+            definitions: BTreeMap::new(),
+            meanings: BTreeMap::new(),
             pending: Vec::new(),
             diagnostics: Diagnostics::default(),
             depth: 0,

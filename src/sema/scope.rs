@@ -1,5 +1,5 @@
 use std::cell::RefCell;
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use crate::curve::{Curve, Parameter};
@@ -49,7 +49,7 @@ pub(super) struct Frame<'a> {
     pub(super) construction: String,
     /// Where a file uses it; findings inside are reported there.
     pub(super) site: Span,
-    pub(super) bindings: RefCell<HashMap<String, Binding<'a>>>,
+    pub(super) bindings: RefCell<BTreeMap<String, Binding<'a>>>,
     /// The constructions around this one.
     pub(super) outer: Option<Rc<Frame<'a>>>,
 }

@@ -1,4 +1,4 @@
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use crate::curve::{Fault, Parameter};
@@ -23,7 +23,7 @@ pub struct Expander<'a> {
     limits: &'a Limits,
     counter: Counter,
     /// The expression is kept beside its expansion, so that its identity stays its own.
-    expanded: HashMap<usize, (Scalar, Rc<Expanded>)>,
+    expanded: BTreeMap<usize, (Scalar, Rc<Expanded>)>,
 }
 
 type Found<T> = Result<T, Box<Diagnostic>>;
@@ -38,7 +38,7 @@ impl<'a> Expander<'a> {
             tower,
             limits,
             counter: Counter::default(),
-            expanded: HashMap::new(),
+            expanded: BTreeMap::new(),
         }
     }
 

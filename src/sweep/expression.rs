@@ -1,4 +1,4 @@
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::rc::Rc;
 
 use crate::curve::{Axis, Curve, Parameter, Property};
@@ -301,10 +301,10 @@ impl Scalar {
 
     /// Calls a function for every curve that the expression uses, with the argument it is used at.
     pub fn visit_curves(&self, visit: &mut dyn FnMut(&Rc<Curve>, &Self)) {
-        self.walk(&mut HashSet::new(), visit);
+        self.walk(&mut BTreeSet::new(), visit);
     }
 
-    fn walk(&self, seen: &mut HashSet<usize>, visit: &mut dyn FnMut(&Rc<Curve>, &Self)) {
+    fn walk(&self, seen: &mut BTreeSet<usize>, visit: &mut dyn FnMut(&Rc<Curve>, &Self)) {
         if matches!(self.form(), Form::Constant(_) | Form::Parameter(_))
             || (self.is_shared() && !seen.insert(self.identity()))
         {
@@ -320,10 +320,10 @@ impl Scalar {
     /// [`Form::Substitution`]. What is shared stays shared.
     #[must_use]
     pub fn substitute(&self, u: &Self, v: &Self) -> Self {
-        self.replace(u, v, &mut HashMap::new())
+        self.replace(u, v, &mut BTreeMap::new())
     }
 
-    fn replace(&self, u: &Self, v: &Self, known: &mut HashMap<usize, Self>) -> Self {
+    fn replace(&self, u: &Self, v: &Self, known: &mut BTreeMap<usize, Self>) -> Self {
         let stays = |parameter, by: &Self| {
             !self.depends_on(parameter)
                 || matches!(by.form(), Form::Parameter(own) if *own == parameter)
