@@ -11,6 +11,7 @@ mod common_zero;
 mod conjugate_gcd;
 mod content;
 mod coprimality;
+mod division;
 mod fraction;
 mod gcd;
 mod image;
