@@ -3,8 +3,10 @@
 #![allow(clippy::unwrap_used, missing_docs, reason = "tests state facts")]
 
 use proptest::prelude::*;
-use sweepc::export::{Double, Precision};
+use sweepc::export::{Double, Precision, RoundedNet};
+use sweepc::net::ControlNet;
 use sweepc::number::{Field, Integer, Real, Tower};
+use sweepc::poly::{BiPoly, UniPoly};
 
 /// The number that a double is, from its decimal digits: 767 of them are always enough.
 fn decimal(value: f64) -> Real {
@@ -56,7 +58,62 @@ fn doubles() -> impl Strategy<Value = f64> {
     })
 }
 
+/// a + b√2: often 0 or ±1, long, or nearly 0.
+fn coefficients() -> impl Strategy<Value = Real> {
+    let part = prop_oneof![
+        4 => Just(0),
+        3 => -1_i64..=1,
+        2 => -40_i64..40,
+        1 => any::<i64>(),
+    ];
+    let size = prop_oneof![3 => Just(0_i64), 1 => -200_i64..200];
+    (
+        part.clone(),
+        prop_oneof![5 => Just(0), 1 => part],
+        1_i64..30,
+        size,
+    )
+        .prop_map(|(constant, slope, below, size)| {
+            let root = Tower::new(2).square_root(&Real::from(2)).unwrap();
+            let own = Real::from(constant).plus(&Real::from(slope).times(&root));
+            let scale = Real::from(below).inverse().unwrap();
+            own.times(&scale).times(&power_of_two(size))
+        })
+}
+
+/// Up to three products of quadratic polynomials.
+fn sums_of_products() -> impl Strategy<Value = BiPoly<Real>> {
+    let factor = || proptest::collection::vec(coefficients(), 1..4);
+    let terms = proptest::collection::vec((factor(), factor()), 0..4);
+    terms.prop_map(|terms| {
+        let polynomial = |own: &Vec<Real>| UniPoly::from_coefficients(own);
+        let products = terms
+            .iter()
+            .map(|(in_u, in_v)| BiPoly::product(&polynomial(in_u), &polynomial(in_v)));
+        products.fold(BiPoly::zero(), |all, own| &all + &own)
+    })
+}
+
 proptest! {
+    #[test]
+    fn the_doubles_of_a_net_are_nearest_to_its_numbers(
+        coordinates in [sums_of_products(), sums_of_products(), sums_of_products(), sums_of_products()],
+    ) {
+        let (zero, one) = (Real::from(0), Real::from(1));
+        let net = ControlNet::bezier(coordinates.each_ref(), (&zero, &one), (&zero, &one));
+        let Some(net) = net else {
+            return Ok(());
+        };
+        let rounded = RoundedNet::new(&net).unwrap();
+        for (exact, double) in net.weights().iter().zip(rounded.weights.iter().flatten()) {
+            prop_assert!(is_nearest(exact, *double), "{exact}");
+        }
+        let points = net.points().iter().flatten();
+        for (exact, double) in points.zip(rounded.points.iter().flatten().flatten()) {
+            prop_assert!(is_nearest(exact, *double), "{exact}");
+        }
+    }
+
     #[test]
     fn doubles_are_their_own_nearest(value in doubles()) {
         let double = Double::nearest(&decimal(value)).unwrap();
