@@ -119,10 +119,12 @@ impl Products {
                 terms[axis].push((digits(in_u)?, digits(in_v)?));
             }
         }
+        let first = self.coordinate(0, (0, 0)).leading()?.inverse()?;
+        let rows = inverses(self.degree.u)?.into_iter();
         Some(LeadingPoints {
             terms,
-            scales: [inverses(self.degree.u)?, inverses(self.degree.v)?],
-            first: self.coordinate(0, (0, 0)).leading()?.inverse()?,
+            rows: all(rows.map(|own| own.times(first)))?,
+            columns: inverses(self.degree.v)?,
         })
     }
 }
@@ -189,10 +191,10 @@ type Digits = Vec<Leading>;
 #[derive(Debug)]
 pub struct LeadingPoints {
     terms: [Vec<(Digits, Digits)>; 4],
-    /// 1/C(n, i) and 1/C(m, j)
-    scales: [Digits; 2],
-    /// 1/W₀₀
-    first: Leading,
+    /// 1/(C(n, i) W₀₀)
+    rows: Digits,
+    /// 1/C(m, j)
+    columns: Digits,
 }
 
 impl LeadingPoints {
@@ -201,9 +203,8 @@ impl LeadingPoints {
     #[must_use]
     pub fn weight(&self, i: usize, j: usize) -> Option<(Leading, Leading)> {
         let weight = self.homogeneous(0, i, j)?;
-        let scale = self.scales[0][i].times(self.scales[1][j])?;
-        let scaled = weight.times(scale.times(self.first)?)?;
-        Some((scaled, weight.inverse()?))
+        let scale = self.rows[i].times(self.columns[j])?;
+        Some((weight.times(scale)?, weight.inverse()?))
     }
 
     /// A coordinate of control point (i, j) with 1/W.

@@ -48,16 +48,25 @@ pub(super) fn machine_product(left: i128, right: i128) -> Option<i128> {
 }
 
 fn product(left: &Integer, right: &Integer) -> Integer {
-    if let (Form::Machine(left), Form::Machine(right)) = (left.form(), right.form())
-        && let Some(product) = machine_product(*left, *right)
-    {
-        return Integer::of_machine(product);
-    }
-    Integer::of_long(by_reference(left, right, |left, right| left * right))
+    Integer::of_long(match (left.form(), right.form()) {
+        (Form::Machine(left), Form::Machine(right)) => {
+            if let Some(product) = machine_product(*left, *right) {
+                return Integer::of_machine(product);
+            }
+            BigInt::from(*left) * *right
+        }
+        (Form::Long(long), Form::Machine(other)) | (Form::Machine(other), Form::Long(long)) => {
+            long * *other
+        }
+        (Form::Long(left), Form::Long(right)) => left * right,
+    })
 }
 
 /// Truncated towards 0, like the quotient of machine numbers.
 fn quotient(left: &Integer, right: &Integer) -> Integer {
+    if Ring::is_one(right) {
+        return left.clone();
+    }
     if let (Form::Machine(left), Form::Machine(right)) = (left.form(), right.form()) {
         if let (Ok(left), Ok(right)) = (i64::try_from(*left), i64::try_from(*right))
             && let Some(quotient) = left.checked_div(right)

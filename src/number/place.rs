@@ -10,7 +10,8 @@ use super::Modulus;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Place {
     modulus: Modulus,
-    roots: Arc<[u64]>,
+    /// None for no roots.
+    roots: Option<Arc<[u64]>>,
 }
 
 impl Place {
@@ -23,7 +24,7 @@ impl Place {
     pub(super) fn new(modulus: Modulus, roots: Vec<u64>) -> Self {
         Self {
             modulus,
-            roots: roots.into(),
+            roots: (!roots.is_empty()).then(|| roots.into()),
         }
     }
 
@@ -35,6 +36,7 @@ impl Place {
 
     /// The image of the square root of a level of the tower, counted from 0.
     pub(super) fn root(&self, level: usize) -> u64 {
-        self.roots.get(level).copied().unwrap_or_default()
+        let roots = self.roots.as_deref().unwrap_or_default();
+        roots.get(level).copied().unwrap_or_default()
     }
 }

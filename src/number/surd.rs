@@ -260,10 +260,11 @@ impl Field for Surd {
             (&self.numerator, &other.numerator)
         {
             // Numbers in lowest terms: only crosswise is there something to cancel.
-            let [first, second] = [gcd(left, &other.denominator), gcd(right, &self.denominator)];
+            let first = gcd(left, &other.denominator);
+            let second = gcd(right, &self.denominator);
             return Self {
                 numerator: SurdInteger::Rational((left / &first) * (right / &second)),
-                denominator: (&self.denominator / &second) * (&other.denominator / &first),
+                denominator: (&self.denominator / second) * (&other.denominator / first),
             };
         }
         let numerator = self.numerator.times(&other.numerator);

@@ -1,5 +1,5 @@
 use std::ops::Deref;
-use std::sync::Arc;
+use std::rc::Rc;
 
 /// The numerators of a polynomial, which copies share; a constant needs no memory of its own.
 #[derive(Clone, Debug)]
@@ -7,13 +7,13 @@ pub(super) enum Numerators<R> {
     Zero,
     Constant(R),
     /// Two at least.
-    Several(Arc<[R]>),
+    Several(Rc<[R]>),
 }
 
 impl<R: PartialEq> PartialEq for Numerators<R> {
     fn eq(&self, other: &Self) -> bool {
         match (self, other) {
-            (Self::Several(own), Self::Several(other)) => Arc::ptr_eq(own, other) || own == other,
+            (Self::Several(own), Self::Several(other)) => Rc::ptr_eq(own, other) || own == other,
             _ => **self == **other,
         }
     }

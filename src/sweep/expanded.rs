@@ -18,7 +18,7 @@ pub enum Expanded {
     InBoth(Fraction<Real>),
 }
 
-/// Sums or products of what has been gathered, by the parameters that it depends on.
+/// The terms of a sum, by the parameters that they depend on.
 struct Gathered<'a> {
     numbers: Vec<&'a Real>,
     in_one: [Vec<&'a Quotient<Real>>; 2],
@@ -158,47 +158,33 @@ impl Expanded {
     /// a b …
     #[must_use]
     pub(super) fn product(factors: &[Rc<Self>]) -> Self {
-        let gathered = Gathered::of(factors);
-        let number = gathered.numbers.into_iter().fold(Real::one(), |all, own| {
-            if all.is_one() {
-                own.clone()
-            } else {
-                all.times(own)
+        let (mut number, mut in_u, mut in_v, mut in_both) = (None, None, None, None);
+        for factor in factors {
+            match &**factor {
+                Self::Number(own) => join(&mut number, own, Real::times),
+                Self::InOne(Parameter::U, own) => join(&mut in_u, own, Quotient::times),
+                Self::InOne(Parameter::V, own) => join(&mut in_v, own, Quotient::times),
+                Self::InBoth(own) => join(&mut in_both, own, Fraction::times),
             }
-        });
-        let mut products = gathered.in_one.map(|own| {
-            let (first, rest) = own.split_first()?;
-            let all = rest
-                .iter()
-                .fold((*first).clone(), |all, own| all.times(own));
-            Some(all)
-        });
-        let host = products.iter_mut().rev().find_map(Option::as_mut);
-        let rest = match host {
-            Some(own) => {
-                *own = own.scale(&number);
-                Real::one()
-            }
-            None => number,
-        };
-        let [in_u, in_v] = products;
+        }
+        // The number joins a function of one parameter, if there is one.
+        if let Some(host) = in_v.as_mut().or(in_u.as_mut())
+            && let Some(own) = number.take()
+        {
+            *host = host.scale(&own);
+        }
         let single = match (in_u, in_v) {
-            (None, None) => Self::Number(rest),
+            (None, None) => Self::Number(number.unwrap_or_else(Real::one)),
             (Some(own), None) => Self::InOne(Parameter::U, own),
             (None, Some(own)) => Self::InOne(Parameter::V, own),
             (Some(in_u), Some(in_v)) => Self::InBoth(Fraction::product(&in_u, &in_v)),
         };
-        let Some((first, others)) = gathered.in_both.split_first() else {
-            return single;
-        };
-        let all = others
-            .iter()
-            .fold((*first).clone(), |all, own| all.times(own));
-        Self::InBoth(match &single {
-            Self::Number(own) if own.is_one() => all,
-            Self::Number(own) => all.scale(own),
-            other => all.times(&other.fraction()),
-        })
+        match (in_both, single) {
+            (None, single) => single,
+            (Some(all), Self::Number(own)) if own.is_one() => Self::InBoth(all),
+            (Some(all), Self::Number(own)) => Self::InBoth(all.scale(&own)),
+            (Some(all), other) => Self::InBoth(all.times(&other.fraction())),
+        }
     }
 
     /// aⁿ for n of either sign; none for 0 to a negative power
@@ -233,6 +219,14 @@ impl Expanded {
             other => other.fraction().as_constant(),
         }
     }
+}
+
+/// Multiplies a product under way by a factor.
+fn join<T: Clone>(product: &mut Option<T>, factor: &T, times: impl Fn(&T, &T) -> T) {
+    *product = Some(match product.take() {
+        None => factor.clone(),
+        Some(own) => times(&own, factor),
+    });
 }
 
 #[cfg(test)]
