@@ -6,8 +6,8 @@ use crate::syntax::ast::{Expr, ExprKind, ProductOp, Reference};
 use super::lowerer::{Lowerer, parameter_of};
 use super::scope::Scope;
 
-/// How deep `(-3/4) u^2` may be nested.
-const NESTING: usize = 4;
+/// How deep what is read at once may be nested.
+const NESTING: usize = 6;
 
 impl<'a> Lowerer<'a> {
     /// The scalar that `3 u` or `(-3/4) * v^2` is: a numeral before a parameter or a power of one.
