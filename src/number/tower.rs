@@ -182,6 +182,9 @@ pub(super) fn root_within(radicand: &Surd, top: Option<&Generator>) -> Option<Su
         let root = Field::square_root(&radicand.as_rational()?)?;
         return Some(Surd::from(root));
     };
+    if let Some(known) = generator_of(radicand, top) {
+        return Some(known);
+    }
     if refuted(radicand, top) {
         return None;
     }
@@ -201,6 +204,14 @@ pub(super) fn root_within(radicand: &Surd, top: Option<&Generator>) -> Option<Su
             Some((&(&root / &square) * &generator).absolute())
         }),
     }
+}
+
+/// The generator up to `top` that is the square root of a number.
+fn generator_of(radicand: &Surd, top: &Generator) -> Option<Surd> {
+    let mut generators = std::iter::successors(Some(top), |own| own.below());
+    let own = generators.find(|own| radicand.numerator() == own.square())?;
+    let root = || Surd::integral(SurdInteger::generator(own));
+    radicand.denominator().is_one().then(root)
 }
 
 /// Whether an image at a place shows that a number is no square in the field up to `top`.

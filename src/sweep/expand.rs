@@ -8,7 +8,7 @@ use crate::poly::{BiDegree, Fraction, Quotient};
 
 use super::bound::Counter;
 use super::rough::rough_degree;
-use super::square_root::square_root;
+use super::square_root::{root_of_number, square_root};
 use super::written::written_polynomial;
 use super::{CurveProperty, Domain, Expanded, Form, NormalFault, Scalar, Vector, unit_normal};
 
@@ -165,8 +165,11 @@ impl<'a> Expander<'a> {
                 composed.map(in_both).ok_or_else(zero_division)
             }
             Form::SquareRoot(body) => {
-                let radicand = self.fraction(body)?;
-                let span = expression.span();
+                let (radicand, span) = (self.expanded(body)?, expression.span());
+                if let Expanded::Number(own) = &*radicand {
+                    return root_of_number(own, self.tower, span).map(Expanded::Number);
+                }
+                let radicand = radicand.into_fraction();
                 square_root(&radicand, self.domain, self.tower, span).map(in_both)
             }
             Form::Normal(surface, axis) => {

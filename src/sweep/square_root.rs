@@ -46,9 +46,7 @@ pub(super) fn square_root(
         .inverse()
         .map(|inverse| scale.times(&top_factor).times(&inverse));
     let constant = constant.unwrap_or_else(Real::zero);
-    let root = tower
-        .square_root(&constant)
-        .map_err(|fault| Box::new(no_root(&constant, &fault, span)))?;
+    let root = root_of_number(&constant, tower, span)?;
     let changes = [&top, &bottom]
         .into_iter()
         .find_map(|part| part.change_of_sign(domain));
@@ -64,6 +62,20 @@ pub(super) fn square_root(
     } else {
         fraction
     })
+}
+
+/// The square root of a number; the field grows by it if it does not hold it.
+///
+/// # Errors
+///
+/// E0210 for a negative number, E0509 where the field would grow too far.
+pub(super) fn root_of_number(
+    radicand: &Real,
+    tower: &Tower,
+    span: Span,
+) -> Result<Real, Box<Diagnostic>> {
+    let root = tower.square_root(radicand);
+    root.map_err(|fault| Box::new(no_root(radicand, &fault, span)))
 }
 
 /// The finding for a number without a square root in the field.
