@@ -339,26 +339,29 @@ impl<F: Field> UniPoly<F> {
     /// Over a field other than the rationals the leading coefficient is first made rational.
     #[must_use]
     pub fn primitive(&self) -> Self {
-        let Some(lead) = self.numerators.last() else {
-            return Self::zero();
-        };
+        Self {
+            numerators: self.numerators.primitive(|| self.find_primitive()),
+            denominator: Integer::one(),
+        }
+    }
+
+    /// The numerators of the primitive multiple; none if they are those of the polynomial.
+    fn find_primitive(&self) -> Option<Numerators<F::Ring>> {
+        let lead = self.numerators.last()?;
         if lead.height() > 0 {
-            return self.monic().primitive();
+            let own = self.monic().primitive().numerators;
+            return (own != self.numerators).then_some(own);
         }
         let content = self.content();
         let negative = lead.sign().is_lt();
-        let numerators = match (content.is_one(), negative) {
-            (true, false) => self.numerators.clone(),
-            (true, true) => self.numerators.iter().map(Ring::negated).collect(),
+        let numerators = self.numerators.iter();
+        match (content.is_one(), negative) {
+            (true, false) => None,
+            (true, true) => Some(numerators.map(Ring::negated).collect()),
             (false, _) => {
                 let divisor = if negative { -content } else { content };
-                let numerators = self.numerators.iter();
-                numerators.map(|own| own.divided(&divisor)).collect()
+                Some(numerators.map(|own| own.divided(&divisor)).collect())
             }
-        };
-        Self {
-            numerators,
-            denominator: Integer::one(),
         }
     }
 
