@@ -5,8 +5,8 @@ use crate::number::{Field, Integer, Real, Ring, lcm};
 use crate::poly::{BiDegree, BiPoly};
 
 use super::affine::affine;
-use super::products::{Control, LeadingPoints, Numerator, Products};
-use super::{CurveNet, Knots};
+use super::products::{Control, Numerator, Products};
+use super::{CurveNet, Knots, LeadingPoints};
 
 /// An exact rational tensor-product surface: knots, weights and affine control points.
 ///
@@ -205,7 +205,7 @@ impl ControlNet {
     /// made from polynomials, or if few digits are known.
     #[must_use]
     pub fn leading(&self) -> Option<LeadingPoints> {
-        self.products.as_ref()?.leading()
+        LeadingPoints::of(self.products.as_ref()?)
     }
 
     /// The numerator and the divisor of weight (i, j); i < rows, j < columns.

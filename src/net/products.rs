@@ -1,7 +1,7 @@
 use std::borrow::Cow;
 use std::rc::Rc;
 
-use crate::number::{Field, Integer, Leading, Real, Ring, lcm};
+use crate::number::{Field, Integer, Real, Ring, lcm};
 use crate::poly::{BiDegree, BiPoly, UniPoly, binomials, scaled_bernstein};
 
 /// The numerators of exact numbers.
@@ -29,9 +29,9 @@ pub(super) struct Products {
 
 /// fₖ and gₖ; terms share what was converted once.
 #[derive(Clone, Debug)]
-struct Term {
-    in_u: Vec<Numerator>,
-    in_v: Rc<[Numerator]>,
+pub(super) struct Term {
+    pub(super) in_u: Vec<Numerator>,
+    pub(super) in_v: Rc<[Numerator]>,
 }
 
 impl Products {
@@ -108,31 +108,15 @@ impl Products {
         places.map(|(i, j)| control(i, j)).collect()
     }
 
-    /// The leading digits of all factors; none where few are known of one.
-    pub(super) fn leading(&self) -> Option<LeadingPoints> {
-        let inverse = |own: &Integer| Leading::of_integer(own).inverse();
-        let inverses = |degree| all(binomials(degree).iter().map(inverse));
-        let mut sums = Vec::with_capacity(self.terms.len());
-        for own in &self.terms {
-            sums.push(Sum::machine(own).map_or_else(|| Sum::digits(own), Some)?);
-        }
-        let first = self.coordinate(0, (0, 0)).leading()?.inverse()?;
-        let rows = inverses(self.degree.u)?.into_iter();
-        Some(LeadingPoints {
-            sums,
-            rows: all(rows.map(|own| own.times(first)))?,
-            columns: inverses(self.degree.v)?,
-        })
+    /// The bidegree.
+    pub(super) fn degree(&self) -> BiDegree {
+        self.degree
     }
-}
 
-/// All of a list, if all are known.
-fn all<T>(known: impl ExactSizeIterator<Item = Option<T>>) -> Option<Vec<T>> {
-    let mut list = Vec::with_capacity(known.len());
-    for own in known {
-        list.push(own?);
+    /// The terms of W, X, Y, Z.
+    pub(super) fn terms(&self) -> &[Vec<Term>; 4] {
+        &self.terms
     }
-    Some(list)
 }
 
 /// C(n, k)
@@ -177,96 +161,5 @@ impl<'a> Conversions<'a> {
         };
         self.known.push((polynomial.clone(), converted.clone()));
         converted
-    }
-}
-
-/// The leading digits of a list of numbers.
-type Digits = Vec<Leading>;
-
-/// Σ fₖ[i] gₖ[j], by machine numbers where all sums are such, else by leading digits.
-#[derive(Debug)]
-enum Sum {
-    Machine(Vec<[Vec<i128>; 2]>),
-    Digits(Vec<[Digits; 2]>),
-}
-
-impl Sum {
-    /// None where some sum may be longer than a machine number.
-    fn machine(terms: &[Term]) -> Option<Self> {
-        let machine = |own: &Numerator| own.as_integer()?.machine();
-        let size = |list: &[i128]| list.iter().fold(0, |all, own| all | own.unsigned_abs());
-        let bits = |list: &[i128]| u128::BITS - size(list).leading_zeros();
-        let mut lists = Vec::with_capacity(terms.len());
-        for Term { in_u, in_v } in terms {
-            let pair = [
-                all(in_u.iter().map(machine))?,
-                all(in_v.iter().map(machine))?,
-            ];
-            if bits(&pair[0]) + bits(&pair[1]) + terms.len().ilog2() >= i128::BITS - 2 {
-                return None;
-            }
-            lists.push(pair);
-        }
-        Some(Self::Machine(lists))
-    }
-
-    /// None where few digits are known of some number.
-    fn digits(terms: &[Term]) -> Option<Self> {
-        let mut lists = Vec::with_capacity(terms.len());
-        for Term { in_u, in_v } in terms {
-            let in_u = all(in_u.iter().map(Ring::leading))?;
-            lists.push([in_u, all(in_v.iter().map(Ring::leading))?]);
-        }
-        Some(Self::Digits(lists))
-    }
-
-    fn leading(&self, i: usize, j: usize) -> Option<Leading> {
-        match self {
-            Self::Machine(terms) => {
-                let products = terms.iter().map(|[in_u, in_v]| in_u[i] * in_v[j]);
-                Some(Leading::of_integer(&Integer::from(products.sum::<i128>())))
-            }
-            Self::Digits(terms) => {
-                let mut sum = Leading::zero();
-                for [in_u, in_v] in terms {
-                    sum = sum.plus(in_u[i].times(in_v[j])?)?;
-                }
-                Some(sum)
-            }
-        }
-    }
-}
-
-/// The points and weights of a net by their leading digits, from those of the factors of their
-/// terms: no point is multiplied out.
-#[derive(Debug)]
-pub struct LeadingPoints {
-    /// W, X, Y, Z
-    sums: Vec<Sum>,
-    /// 1/(C(n, i) W₀₀)
-    rows: Digits,
-    /// 1/C(m, j)
-    columns: Digits,
-}
-
-impl LeadingPoints {
-    /// The weight of control point (i, j), and 1/W with which its coordinates are to be multiplied;
-    /// none if the weight may be 0.
-    #[must_use]
-    pub fn weight(&self, i: usize, j: usize) -> Option<(Leading, Leading)> {
-        let weight = self.sums[0].leading(i, j)?;
-        let scale = self.rows[i].times(self.columns[j])?;
-        Some((weight.times(scale)?, weight.inverse()?))
-    }
-
-    /// A coordinate of control point (i, j) with 1/W.
-    #[must_use]
-    pub fn coordinate(
-        &self,
-        axis: usize,
-        (i, j): (usize, usize),
-        inverse: Leading,
-    ) -> Option<Leading> {
-        self.sums[axis + 1].leading(i, j)?.times(inverse)
     }
 }
