@@ -9,9 +9,9 @@ use super::{Integer, Ring};
 const WORD: u64 = 64;
 /// The digits of products that are machine numbers.
 const MACHINE: u64 = 127;
-/// Lists shorter than this are not packed.
+/// Lists of at least so many numbers are packed, …
 const SHORT: usize = 8;
-/// Numbers whose products take more products of words than this are, in longer lists.
+/// … if a product of two of them takes more products of words than this.
 const FEW: usize = 30;
 /// Numbers of more words than this are multiplied faster than word by word.
 const LONG: usize = 24;
