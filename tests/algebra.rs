@@ -404,25 +404,48 @@ proptest! {
     }
 }
 
-/// A set of zeros holds one: by evaluation where it is exact, by a change of sign or the roots
-/// on a line elsewhere.
+/// u v (u − v) vanishes on two lines, and at the corners on a third.
+#[test]
+fn zeros_of_lines_and_of_what_they_leave() {
+    let product = BiPoly::from_rows(&[
+        polynomial(&[]),
+        polynomial(&[0, 0, -1]),
+        polynomial(&[0, 1]),
+    ]);
+    let (zero, one) = (Rational::from(0), Rational::from(1));
+    let Zeros::Some(sets) = zeros_in_box(&product, (&zero, &one), (&zero, &one)) else {
+        panic!("the lines u = 0 and v = 0 are in the box")
+    };
+    for (kind, count) in [(ZeroKind::LineU, 1), (ZeroKind::LineV, 1)] {
+        assert_eq!(sets.iter().filter(|set| set.kind == kind).count(), count);
+    }
+    assert!(sets.iter().any(|set| set.kind == ZeroKind::Point));
+    for set in &sets {
+        check_zero_set(&product, set).unwrap();
+    }
+}
+
+/// A set of zeros holds one: lines by the divisors in one variable alone, points and boxes by what
+/// these leave, on which all the other zeros lie.
 fn check_zero_set(
     p: &BiPoly<Rational>,
     set: &sweepc::poly::ZeroSet<Rational>,
 ) -> Result<(), TestCaseError> {
     let (u, v) = (&set.u, &set.v);
+    if p.is_zero() {
+        prop_assert_eq!(set.kind, ZeroKind::Box);
+        return Ok(());
+    }
+    let rest = p.exact_div_u(&p.content_u()).unwrap();
+    let rest = rest.exact_div_v(&p.content_v()).unwrap();
     match set.kind {
         ZeroKind::LineU => prop_assert!(count_roots(&p.content_u(), &u.0, &u.1) == 1),
         ZeroKind::LineV => prop_assert!(count_roots(&p.content_v(), &v.0, &v.1) == 1),
         ZeroKind::Point if u.0 == u.1 => {
-            prop_assert!(count_roots(&p.at_u(&u.0), &v.0, &v.1) == 1);
+            prop_assert!(count_roots(&rest.at_u(&u.0), &v.0, &v.1) == 1);
         }
-        ZeroKind::Point => prop_assert!(count_roots(&p.at_v(&v.0), &u.0, &u.1) == 1),
-        ZeroKind::Box if p.is_zero() => {}
+        ZeroKind::Point => prop_assert!(count_roots(&rest.at_v(&v.0), &u.0, &u.1) == 1),
         ZeroKind::Box => {
-            // the divisors in one variable alone may hide the change of sign of the rest
-            let rest = p.exact_div_u(&p.content_u()).unwrap();
-            let rest = rest.exact_div_v(&p.content_v()).unwrap();
             let corners = [(&u.0, &v.0), (&u.0, &v.1), (&u.1, &v.0), (&u.1, &v.1)];
             let signs = corners.map(|(u, v)| rest.evaluate(u, v).sign());
             prop_assert!(signs.contains(&std::cmp::Ordering::Less));
