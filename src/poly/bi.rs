@@ -1,3 +1,4 @@
+use std::cell::OnceCell;
 use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -14,13 +15,18 @@ use super::{BiDegree, UniPoly, gcd_all};
 #[derive(Clone, Debug)]
 pub struct BiPoly<F: Field> {
     terms: Vec<(UniPoly<F>, UniPoly<F>)>,
+    /// Is found when it is asked for, and then kept.
+    bidegree: OnceCell<Option<BiDegree>>,
 }
 
 impl<F: Field> BiPoly<F> {
     /// 0
     #[must_use]
     pub fn zero() -> Self {
-        Self { terms: Vec::new() }
+        Self {
+            terms: Vec::new(),
+            bidegree: OnceCell::new(),
+        }
     }
 
     /// 1
@@ -114,6 +120,10 @@ impl<F: Field> BiPoly<F> {
     /// The exact bidegree; none for 0.
     #[must_use]
     pub fn bidegree(&self) -> Option<BiDegree> {
+        *self.bidegree.get_or_init(|| self.find_bidegree())
+    }
+
+    fn find_bidegree(&self) -> Option<BiDegree> {
         if self.is_zero() {
             return None;
         }
@@ -195,6 +205,7 @@ impl<F: Field> BiPoly<F> {
             terms: terms
                 .map(|(in_u, in_v)| (in_u.clone(), in_v.scale(factor)))
                 .collect(),
+            bidegree: self.bidegree.clone(),
         }
     }
 
@@ -330,6 +341,7 @@ impl<F: Field> BiPoly<F> {
 
     /// Adds f(u) g(v) with a primitive f and g ≠ 0.
     fn add_primitive_term(&mut self, primitive: UniPoly<F>, in_v: UniPoly<F>) {
+        self.bidegree = OnceCell::new();
         if let Some(index) = self.terms.iter().position(|(own, _)| *own == primitive) {
             self.terms[index].1 = &self.terms[index].1 + &in_v;
             if self.terms[index].1.is_zero() {
@@ -530,6 +542,7 @@ impl<F: Field> Neg for &BiPoly<F> {
         let terms = self.terms.iter();
         BiPoly {
             terms: terms.map(|(in_u, in_v)| (in_u.clone(), -in_v)).collect(),
+            bidegree: self.bidegree.clone(),
         }
     }
 }
