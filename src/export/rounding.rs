@@ -61,16 +61,12 @@ impl Rounding {
     /// - **errors** a number beyond the last double (E0306)
     pub(super) fn knots(&mut self, knots: &Knots, along: &str) -> Result<Vec<Double>, ExportFault> {
         let what = || format!("a knot along {along}");
-        let mut earlier: Option<(&Real, Double)> = None;
-        let round = |own| {
-            let double = match earlier {
-                Some((known, double)) if known == own => double,
-                _ => self.round(own, &what)?,
-            };
-            earlier = Some((own, double));
-            Ok(double)
-        };
-        knots.values().iter().map(round).collect()
+        let mut doubles = Vec::with_capacity(knots.values().len());
+        for (own, count) in knots.multiplicities() {
+            let double = self.round(own, &what)?;
+            doubles.resize(doubles.len() + count, double);
+        }
+        Ok(doubles)
     }
 
     /// Says which numbers became zero or subnormal (W1005).

@@ -16,7 +16,7 @@ impl Knots {
     pub fn bezier(degree: usize, from: &Real, to: &Real) -> Option<Self> {
         let mut values = vec![from.clone(); degree + 1];
         values.resize(2 * degree + 2, to.clone());
-        Self::new(degree, values)
+        (from < to).then_some(Self { degree, values })
     }
 
     /// Knots with their repetitions; none if they are not clamped or do not ascend.
