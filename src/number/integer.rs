@@ -323,6 +323,9 @@ impl FromStr for Integer {
     type Err = ();
 
     fn from_str(text: &str) -> Result<Self, ()> {
+        if let Ok(word) = i64::from_str(text) {
+            return Ok(word.into());
+        }
         match i128::from_str(text) {
             Ok(machine) if machine != i128::MIN => Ok(Self::of_machine(machine)),
             _ => BigInt::from_str(text).map(Self::of_long).map_err(|_| ()),

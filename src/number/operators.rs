@@ -75,6 +75,11 @@ fn quotient(left: &Integer, right: &Integer) -> Integer {
         }
         return Integer::of_machine(left / right);
     }
+    if let (Form::Long(left), Form::Machine(right)) = (left.form(), right.form())
+        && let Ok(word) = i64::try_from(*right)
+    {
+        return Integer::of_long(left / word);
+    }
     Integer::of_long(by_reference(left, right, |left, right| left / right))
 }
 

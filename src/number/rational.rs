@@ -93,6 +93,9 @@ impl Rational {
     /// or its exponent exceeds `limit` in absolute value.
     #[must_use]
     pub fn from_literal(literal: &str, limit: u32) -> Option<Self> {
+        if literal.bytes().all(|own| own.is_ascii_digit()) {
+            return Integer::from_str(literal).ok().map(Self::from);
+        }
         let (mantissa, exponent) = match literal.split_once(['e', 'E']) {
             Some((mantissa, exponent)) => (mantissa, exponent.parse::<i64>().ok()?),
             None => (literal, 0),
@@ -101,9 +104,6 @@ impl Rational {
             return None;
         }
         let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
-        if fraction.is_empty() && exponent == 0 {
-            return Integer::from_str(whole).ok().map(Self::from);
-        }
         let digits = Integer::from_str(&format!("{whole}{fraction}")).ok()?;
         let shift = exponent - i64::try_from(fraction.len()).ok()?;
         let size = u32::try_from(shift.unsigned_abs()).ok()?;

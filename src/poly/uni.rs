@@ -48,11 +48,18 @@ impl<F: Field> UniPoly<F> {
             .fold(Integer::one(), |common, (_, denominator)| {
                 lcm(&common, denominator)
             });
-        let numerators = parts
+        // Of a prime power that divides d, some coefficient needs all: it stays in lowest terms.
+        let mut numerators: Vec<_> = parts
             .iter()
             .map(|(numerator, own)| numerator.scaled(&(&denominator / own)))
             .collect();
-        Self::from_numerators(numerators, denominator)
+        while numerators.last().is_some_and(Ring::is_zero) {
+            numerators.pop();
+        }
+        Self {
+            numerators: numerators.into(),
+            denominator,
+        }
     }
 
     /// 0
