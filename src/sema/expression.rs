@@ -30,11 +30,13 @@ impl<'a> Lowerer<'a> {
                 let finding = self.finding(scope, Code::E0106, expr.span, "a string is no value");
                 Err(self.report(finding.help("strings name files and branches")))
             }
-            ExprKind::Sum(terms) => self.sum(expr, terms, scope),
+            ExprKind::Sum(terms) => match self.polynomial(expr, terms, scope) {
+                Some(own) => Ok(Value::Scalar(own)),
+                None => self.sum(expr, terms, scope),
+            },
             ExprKind::Product(factors) => {
                 let constant = |own| Scalar::constant(scope.site(expr.span), Real::from(own));
-                let number = self.numeral(expr).map(constant);
-                match number.or_else(|| self.monomial(expr, factors, scope)) {
+                match self.numeral(expr).map(constant) {
                     Some(own) => Ok(Value::Scalar(own)),
                     None => self.product(expr.span, factors, scope),
                 }

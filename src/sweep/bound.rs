@@ -206,13 +206,10 @@ impl Counter {
         };
         match expression.form() {
             Form::Constant(value) => constant(crate::number::Field::is_zero(value)),
-            Form::Parameter(parameter) => Counted {
-                numerator: Some(Factors::one(
-                    Symbol::Numerator(expression.clone()),
-                    linear(*parameter),
-                )),
-                denominator: Factors::default(),
-            },
+            Form::Parameter(parameter) => powers(expression, *parameter, 1),
+            Form::Polynomial(parameter, own) => {
+                powers(expression, *parameter, own.degree().unwrap_or_default())
+            }
             Form::Sum(terms) => self.sum(expression, terms),
             Form::Product(factors) => {
                 let mut product = constant(false);
@@ -279,10 +276,15 @@ impl Counter {
     }
 }
 
-fn linear(parameter: Parameter) -> BiDegree {
-    match parameter {
-        Parameter::U => BiDegree::new(1, 0),
-        Parameter::V => BiDegree::new(0, 1),
+/// A polynomial in one parameter.
+fn powers(expression: &Scalar, parameter: Parameter, degree: usize) -> Counted {
+    let degree = match parameter {
+        Parameter::U => BiDegree::new(degree, 0),
+        Parameter::V => BiDegree::new(0, degree),
+    };
+    Counted {
+        numerator: Some(Factors::one(Symbol::Numerator(expression.clone()), degree)),
+        denominator: Factors::default(),
     }
 }
 

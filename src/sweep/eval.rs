@@ -171,6 +171,17 @@ fn jet(expression: &Scalar, u: &Real, v: &Real, order: usize, tower: &Tower) -> 
         Form::Constant(value) => Some(Jet::constant(order, value)),
         Form::Parameter(Parameter::U) => Some(Jet::variable(order, Parameter::U, u)),
         Form::Parameter(Parameter::V) => Some(Jet::variable(order, Parameter::V, v)),
+        Form::Polynomial(parameter, own) => {
+            let at = match parameter {
+                Parameter::U => u,
+                Parameter::V => v,
+            };
+            let at = Jet::variable(order, *parameter, at);
+            let coefficients = own.coefficients().into_iter().rev();
+            Some(coefficients.fold(Jet::zero(order), |value, own| {
+                value.times(&at).plus(&Jet::constant(order, &own))
+            }))
+        }
         Form::Sum(terms) => terms
             .iter()
             .try_fold(Jet::zero(order), |sum, term| Some(sum.plus(&inner(term)?))),

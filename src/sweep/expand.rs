@@ -9,7 +9,6 @@ use crate::poly::{BiDegree, Fraction, Quotient};
 use super::bound::Counter;
 use super::rough::rough_degree;
 use super::square_root::{root_of_number, square_root};
-use super::written::written_polynomial;
 use super::{CurveProperty, Domain, Expanded, Form, NormalFault, Scalar, Vector, unit_normal};
 
 /// Multiplies expressions out to unreduced fractions of polynomials in u and v.
@@ -138,10 +137,11 @@ impl<'a> Expander<'a> {
         match expression.form() {
             Form::Constant(value) => Ok(Expanded::Number(value.clone())),
             Form::Parameter(parameter) => Ok(Expanded::variable(*parameter)),
-            Form::Sum(terms) => Ok(match written_polynomial(terms) {
-                Some((parameter, own)) => Expanded::InOne(parameter, Quotient::polynomial(own)),
-                None => Expanded::sum(&self.all(terms)?),
-            }),
+            Form::Polynomial(parameter, own) => Ok(Expanded::InOne(
+                *parameter,
+                Quotient::polynomial(own.clone()),
+            )),
+            Form::Sum(terms) => Ok(Expanded::sum(&self.all(terms)?)),
             Form::Product(factors) => Ok(Expanded::product(&self.all(factors)?)),
             Form::Power(base, exponent) => {
                 let base = self.expanded(base)?;

@@ -4,6 +4,7 @@ use std::rc::Rc;
 use crate::curve::{Axis, Curve, Parameter, Property};
 use crate::diag::Span;
 use crate::number::{Field, Real};
+use crate::poly::UniPoly;
 
 use super::Domain;
 
@@ -43,6 +44,9 @@ pub enum Form {
     Constant(Real),
     /// u or v
     Parameter(Parameter),
+    /// A polynomial in one parameter that is written in powers: its degree is the highest of them,
+    /// and not 0.
+    Polynomial(Parameter, UniPoly<Real>),
     /// a + b + …
     Sum(Vec<Scalar>),
     /// a b …
@@ -74,7 +78,7 @@ impl Form {
     /// Calls a function for every expression that it is made of.
     fn visit<'a>(&'a self, visit: &mut dyn FnMut(&'a Scalar)) {
         match self {
-            Self::Constant(_) | Self::Parameter(_) => {}
+            Self::Constant(_) | Self::Parameter(_) | Self::Polynomial(..) => {}
             Self::Sum(parts) | Self::Product(parts) => parts.iter().for_each(visit),
             Self::Power(own, _)
             | Self::Property(_, own)
@@ -99,6 +103,7 @@ impl Form {
             (Self::Constant(a), Self::Constant(b)) => a == b,
             (Self::Parameter(a), Self::Parameter(b))
             | (Self::Partial(a, _), Self::Partial(b, _)) => a == b,
+            (Self::Polynomial(a, p), Self::Polynomial(b, q)) => a == b && p == q,
             (Self::Power(_, a), Self::Power(_, b)) => a == b,
             (Self::Property(a, _), Self::Property(b, _)) => a == b,
             (Self::Normal(_, a), Self::Normal(_, b)) => a == b,
@@ -116,8 +121,9 @@ impl Form {
             facts.depends = [0, 1].map(|index| facts.depends[index] || own.depends[index]);
         });
         match self {
-            Self::Parameter(Parameter::U) => facts.depends[0] = true,
-            Self::Parameter(Parameter::V) => facts.depends[1] = true,
+            Self::Parameter(own) | Self::Polynomial(own, _) => {
+                facts.depends = [*own == Parameter::U, *own == Parameter::V];
+            }
             Self::SquareRoot(_) | Self::Normal(..) => facts.rooted = true,
             Self::OnDomain(..) => facts.rooted = false,
             Self::Substitution { body, u, v } => {
@@ -173,6 +179,31 @@ impl Scalar {
     #[must_use]
     pub fn constant(span: Span, value: Real) -> Self {
         Self::new(span, Form::Constant(value))
+    }
+
+    /// Σ cₖ uᵏ or Σ cₖ vᵏ from ascending coefficients, of degree 1 at least.
+    #[must_use]
+    pub fn polynomial(span: Span, parameter: Parameter, coefficients: &[Real]) -> Self {
+        let polynomial = UniPoly::from_coefficients(coefficients);
+        Self::new(span, Form::Polynomial(parameter, polynomial))
+    }
+
+    /// Σ cₖ aᵏ
+    fn polynomial_of(span: Span, polynomial: &UniPoly<Real>, at: &Self) -> Self {
+        if let Form::Parameter(parameter) = at.form() {
+            return Self::new(span, Form::Polynomial(*parameter, polynomial.clone()));
+        }
+        let term = |(power, own): (i64, Real)| {
+            let power = match power {
+                0 => return Self::constant(span, own),
+                1 => at.clone(),
+                _ => Self::power(span, at.clone(), power),
+            };
+            Self::product(span, vec![Self::constant(span, own), power])
+        };
+        let coefficients = (0..).zip(polynomial.coefficients());
+        let terms = coefficients.filter(|(_, own)| !own.is_zero()).map(term);
+        Self::sum(span, terms.collect())
     }
 
     /// a + b + …; numbers are added at once.
@@ -305,9 +336,7 @@ impl Scalar {
     }
 
     fn walk(&self, seen: &mut BTreeSet<usize>, visit: &mut dyn FnMut(&Rc<Curve>, &Self)) {
-        if matches!(self.form(), Form::Constant(_) | Form::Parameter(_))
-            || (self.is_shared() && !seen.insert(self.identity()))
-        {
+        if self.depth() == 0 || (self.is_shared() && !seen.insert(self.identity())) {
             return;
         }
         if let Form::Property(property, argument) = self.form() {
@@ -340,6 +369,13 @@ impl Scalar {
             Form::Constant(_) => self.clone(),
             Form::Parameter(Parameter::U) => u.clone(),
             Form::Parameter(Parameter::V) => v.clone(),
+            Form::Polynomial(parameter, own) => {
+                let at = match parameter {
+                    Parameter::U => u,
+                    Parameter::V => v,
+                };
+                Self::polynomial_of(span, own, at)
+            }
             Form::Sum(parts) => Self::sum(span, parts.iter().map(replace).collect()),
             Form::Product(parts) => Self::product(span, parts.iter().map(replace).collect()),
             Form::Power(base, exponent) => Self::power(span, replace(base), *exponent),

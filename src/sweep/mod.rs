@@ -10,7 +10,6 @@ mod normal;
 mod rough;
 mod square_root;
 mod surface;
-mod written;
 
 pub use bound::{DegreeBound, degree_bound};
 pub use claim::{Claim, Expectation, Quality, Quantity, Relation};

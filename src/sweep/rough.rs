@@ -30,6 +30,9 @@ impl Rough {
         match expression.form() {
             Form::Constant(_) => {}
             Form::Parameter(own) => all.above = along(*own, 1),
+            Form::Polynomial(parameter, own) => {
+                all.above = along(*parameter, own.degree().unwrap_or_default());
+            }
             Form::Product(factors) => {
                 for own in factors {
                     let own = Self::of(own, effort)?;
