@@ -1,3 +1,5 @@
+use std::rc::Rc;
+
 use crate::number::{Integer, Leading, Ring};
 use crate::poly::binomials;
 
@@ -61,7 +63,7 @@ type Digits = Vec<Leading>;
 #[derive(Debug)]
 enum Sum {
     Machine(Vec<[Vec<i128>; 2]>),
-    Digits(Vec<[Digits; 2]>),
+    Digits(Vec<(Digits, Rc<[Leading]>)>),
 }
 
 impl Sum {
@@ -72,9 +74,12 @@ impl Sum {
         let bits = |list: &[i128]| u128::BITS - size(list).leading_zeros();
         let mut lists = Vec::with_capacity(terms.len());
         for Term { in_u, in_v } in terms {
+            if in_v.is_product() {
+                return None;
+            }
             let pair = [
                 all(in_u.iter().map(machine))?,
-                all(in_v.iter().map(machine))?,
+                all(in_v.coefficients().iter().map(machine))?,
             ];
             if bits(&pair[0]) + bits(&pair[1]) + terms.len().ilog2() >= i128::BITS - 2 {
                 return None;
@@ -89,7 +94,7 @@ impl Sum {
         let mut lists = Vec::with_capacity(terms.len());
         for Term { in_u, in_v } in terms {
             let in_u = all(in_u.iter().map(Ring::leading))?;
-            lists.push([in_u, all(in_v.iter().map(Ring::leading))?]);
+            lists.push((in_u, in_v.leading()?));
         }
         Some(Self::Digits(lists))
     }
@@ -102,7 +107,7 @@ impl Sum {
             }
             Self::Digits(terms) => {
                 let mut sum = Leading::zero();
-                for [in_u, in_v] in terms {
+                for (in_u, in_v) in terms {
                     sum = sum.plus(in_u[i].times(in_v[j])?)?;
                 }
                 Some(sum)

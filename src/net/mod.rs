@@ -17,6 +17,7 @@ mod orientation;
 mod part;
 mod patch;
 mod products;
+mod scaled_form;
 mod sew;
 mod shell;
 mod side;

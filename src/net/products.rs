@@ -4,6 +4,11 @@ use std::rc::Rc;
 use crate::number::{Field, Integer, Real, Ring, lcm};
 use crate::poly::{BiDegree, BiPoly, UniPoly, binomials, scaled_bernstein};
 
+use super::scaled_form::ScaledForm;
+
+/// Where a degree is raised by so much or more, that is multiplied out when it is asked for.
+const LONG: usize = 16;
+
 /// The numerators of exact numbers.
 pub(super) type Numerator = <Real as Field>::Ring;
 
@@ -31,7 +36,7 @@ pub(super) struct Products {
 #[derive(Clone, Debug)]
 pub(super) struct Term {
     pub(super) in_u: Vec<Numerator>,
-    pub(super) in_v: Rc<[Numerator]>,
+    pub(super) in_v: Rc<ScaledForm>,
 }
 
 impl Products {
@@ -55,11 +60,13 @@ impl Products {
                 Cow::Owned(BiPoly::from_rows(&own.rows()))
             }
         });
-        let (mut along_u, mut along_v) =
-            (Conversions::new(degree.u, u), Conversions::new(degree.v, v));
+        let (mut along_u, mut along_v) = (Conversions::new(u), Conversions::new(v));
         let converted = fitting.each_ref().map(|own| {
             let terms = own.terms().iter();
-            let terms = terms.map(|(in_u, in_v)| (along_u.of(in_u), along_v.of(in_v)));
+            let terms = terms.map(|(in_u, in_v)| {
+                let along_u = along_u.of(in_u, degree.u);
+                (along_u, along_v.of(in_v, degree.v))
+            });
             terms.collect::<Vec<_>>()
         });
         let below = |(in_u, in_v): &(Converted, Converted)| &in_u.denominator * &in_v.denominator;
@@ -68,10 +75,15 @@ impl Products {
         let terms = converted.map(|own| {
             let scaled = own.into_iter().map(|term| {
                 let scale = &denominator / below(&term);
-                let in_u = term.0.numerators.iter().map(|own| own.scaled(&scale));
+                let in_u = term
+                    .0
+                    .form
+                    .coefficients()
+                    .iter()
+                    .map(|own| own.scaled(&scale));
                 Term {
                     in_u: in_u.collect(),
-                    in_v: term.1.numerators,
+                    in_v: term.1.form,
                 }
             });
             scaled.collect()
@@ -83,7 +95,7 @@ impl Products {
     pub(super) fn coordinate(&self, axis: usize, (i, j): (usize, usize)) -> Numerator {
         let mut sum = Numerator::zero();
         for term in &self.terms[axis] {
-            sum.add_product(&term.in_u[i], &term.in_v[j]);
+            sum.add_product(&term.in_u[i], &term.in_v.at(j));
         }
         sum
     }
@@ -99,6 +111,9 @@ impl Products {
 
     /// All control points, i by i and j within i.
     pub(super) fn controls(&self) -> Vec<Control> {
+        for term in self.terms.iter().flatten() {
+            term.in_v.coefficients();
+        }
         let (in_u, in_v) = (binomials(self.degree.u), binomials(self.degree.v));
         let control = |i: usize, j: usize| Control {
             coordinates: [0, 1, 2, 3].map(|axis| self.coordinate(axis, (i, j))),
@@ -130,36 +145,66 @@ fn binomial((degree, index): (usize, usize)) -> Integer {
 /// The scaled Bernstein coefficients of a polynomial, over a denominator.
 #[derive(Clone)]
 struct Converted {
-    numerators: Rc<[Numerator]>,
+    form: Rc<ScaledForm>,
     denominator: Integer,
 }
 
-/// Polynomials in one parameter that are converted already.
+impl Converted {
+    fn times(&self, other: &Self) -> Self {
+        let factors = (Rc::clone(&self.form), Rc::clone(&other.form));
+        Self {
+            form: Rc::new(ScaledForm::product(factors.0, factors.1)),
+            denominator: &self.denominator * &other.denominator,
+        }
+    }
+}
+
+/// Polynomials in one parameter that are converted already, each at a degree.
 struct Conversions<'a> {
-    degree: usize,
     domain: (&'a Real, &'a Real),
-    known: Vec<(UniPoly<Real>, Converted)>,
+    known: Vec<(UniPoly<Real>, usize, Converted)>,
 }
 
 impl<'a> Conversions<'a> {
-    fn new(degree: usize, domain: (&'a Real, &'a Real)) -> Self {
+    fn new(domain: (&'a Real, &'a Real)) -> Self {
         Self {
-            degree,
             domain,
             known: Vec::new(),
         }
     }
 
-    fn of(&mut self, polynomial: &UniPoly<Real>) -> Converted {
-        if let Some((_, known)) = self.known.iter().find(|(own, _)| own == polynomial) {
+    /// At a degree that is at least that of the polynomial.
+    fn of(&mut self, polynomial: &UniPoly<Real>, degree: usize) -> Converted {
+        let same = |known: &&(UniPoly<Real>, usize, Converted)| {
+            known.1 == degree && known.0 == *polynomial
+        };
+        if let Some((_, _, known)) = self.known.iter().find(same) {
             return known.clone();
         }
-        let local = polynomial.restrict(self.domain.0, self.domain.1);
-        let converted = Converted {
-            numerators: scaled_bernstein(local.numerators(), self.degree).into(),
-            denominator: local.denominator().clone(),
+        let own = polynomial.degree().unwrap_or_default();
+        let converted = match polynomial.factors() {
+            // p(t) = p(t) ((1 − t) + t)ᵏ
+            _ if own.min(degree - own) >= LONG => {
+                let one = self.of(&UniPoly::one(), degree - own);
+                self.of(polynomial, own).times(&one)
+            }
+            Some((left, right, divisor)) => {
+                let along = right.degree().unwrap_or_default();
+                let mut left = self.of(&left, degree - along);
+                left.denominator *= &divisor;
+                left.times(&self.of(&right, along))
+            }
+            None => {
+                let local = polynomial.restrict(self.domain.0, self.domain.1);
+                let list = scaled_bernstein(local.numerators(), degree);
+                Converted {
+                    form: Rc::new(ScaledForm::list(list)),
+                    denominator: local.denominator().clone(),
+                }
+            }
         };
-        self.known.push((polynomial.clone(), converted.clone()));
+        self.known
+            .push((polynomial.clone(), degree, converted.clone()));
         converted
     }
 }

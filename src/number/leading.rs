@@ -156,6 +156,52 @@ impl Leading {
         })
     }
 
+    /// Σ aᵢ bᵢ; none where so much cancels that few digits are sure
+    ///
+    /// All products are added up in units of 2ᵍ at the last digit of the largest, where 2ᵍ exceeds
+    /// their number: |(m ± e)(n ± f) − mn| < (e + f + 1) 2¹²⁴, and of m n / 2¹²⁴ and of its part
+    /// above the unit less than one is dropped.
+    #[must_use]
+    pub fn sum_of_products(pairs: impl Iterator<Item = (Self, Self)> + Clone) -> Option<Self> {
+        let exponents = pairs
+            .clone()
+            .filter(|(a, b)| a.mantissa != 0 && b.mantissa != 0);
+        let exponents = exponents.map(|(a, b)| a.exponent.checked_add(b.exponent));
+        let (mut count, mut top) = (0_u64, i64::MIN);
+        for own in exponents {
+            (count, top) = (count + 1, top.max(own?));
+        }
+        if count == 0 {
+            return Some(Self::zero());
+        }
+        let guard = u64::BITS - count.leading_zeros();
+        let (mut sum, mut error) = (0_i128, 0_u64);
+        for (a, b) in pairs {
+            let (left, right) = (a.mantissa.unsigned_abs(), b.mantissa.unsigned_abs());
+            if left == 0 || right == 0 {
+                continue;
+            }
+            let below = top.abs_diff(a.exponent + b.exponent);
+            let shift = u32::try_from(below)
+                .unwrap_or(u32::MAX)
+                .saturating_add(guard);
+            let size = high_product(left << 4, right)
+                .checked_shr(shift)
+                .unwrap_or_default();
+            let size = size.cast_signed();
+            sum += if (a.mantissa < 0) == (b.mantissa < 0) {
+                size
+            } else {
+                -size
+            };
+            let own = a.error.checked_add(b.error)?.checked_add(2)?;
+            let own = own.checked_shr(shift).unwrap_or_default();
+            error = error.checked_add(own)?.checked_add(2)?;
+        }
+        let exponent = top.checked_add(i64::from(Self::DIGITS + guard))?;
+        Self::normal(sum, error, exponent)
+    }
+
     /// 1/a; none for 0
     ///
     /// Newton's step from q = ⌊(2¹²⁷ − 1)/d⌋, where d are the leading 64 digits of m: with
@@ -279,6 +325,25 @@ mod tests {
                 let sum = left.plus(right);
                 prop_assert!(sum.is_none_or(|own| holds(own, &one.plus(&other))));
             }
+        }
+
+        #[test]
+        fn sums_of_products_are_led_by_theirs(
+            pairs in proptest::collection::vec((numbers(), integers()), 1..12),
+        ) {
+            let mut exact = SurdInteger::zero();
+            let mut known = Vec::new();
+            for (one, other) in &pairs {
+                let other = SurdInteger::from_integer(other);
+                exact.add_product(one, &other);
+                known.extend(one.leading().zip(other.leading()));
+            }
+            prop_assume!(known.len() == pairs.len());
+            let sum = Leading::sum_of_products(known.iter().copied());
+            prop_assert!(sum.is_none_or(|own| holds(own, &exact)), "{exact} {sum:?}");
+            let first = pairs[0].0.scaled(&pairs[0].1);
+            let alone = Leading::sum_of_products(known.iter().copied().take(1));
+            prop_assert!(alone.is_some_and(|own| holds(own, &first)), "{first}");
         }
     }
 

@@ -414,7 +414,7 @@ fn top_degree<'a, F: Field>(
     // Its own highest coefficient is mostly enough.
     let across = leading.iter().filter_map(|(_, other)| other.degree()).max();
     let highest = leading.iter().filter(|(_, other)| other.degree() == across);
-    let sign = |own: &UniPoly<F>| own.numerators().last().map(Ring::sign);
+    let sign = |own: &UniPoly<F>| own.leading_numerator().map(|own| own.sign());
     let mut signs = highest.clone().map(|(own, other)| sign(own) == sign(other));
     let first = signs.next()?;
     if signs.all(|own| own == first) {
@@ -445,7 +445,8 @@ fn corner_has_digits<'a, F: Field>(
 ) -> bool {
     let quotient = |own: &UniPoly<F>| {
         let below = Leading::of_integer(own.denominator());
-        own.numerators().last()?.leading()?.times(below.inverse()?)
+        let above = own.leading_numerator()?.leading()?;
+        above.times(below.inverse()?)
     };
     let mut products = terms.map(|(own, other)| quotient(own)?.times(quotient(other)?));
     let sum = products.try_fold(Leading::zero(), |sum, own| sum.plus(own?));

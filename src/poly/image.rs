@@ -13,10 +13,8 @@ pub(super) struct Image {
 pub(super) fn place_of<'a, F: Field>(
     polynomials: impl IntoIterator<Item = &'a UniPoly<F>>,
 ) -> Option<Place> {
-    let numerators = polynomials
-        .into_iter()
-        .flat_map(|polynomial| polynomial.numerators());
-    match numerators.max_by_key(|own| own.height()) {
+    let highest = polynomials.into_iter().filter_map(UniPoly::highest);
+    match highest.max_by_key(Ring::height) {
         Some(highest) => highest.place(),
         None => Some(Place::rational()),
     }
@@ -33,11 +31,7 @@ pub(super) fn place_of_all<'a, F: Field>(
 impl Image {
     /// The image of the numerators at a place for them.
     pub(super) fn of<F: Field>(polynomial: &UniPoly<F>, place: &Place) -> Self {
-        let numerators = polynomial.numerators().iter();
-        Self::new(
-            numerators.map(|own| own.image(place)).collect(),
-            place.modulus(),
-        )
+        Self::new(polynomial.image(place), place.modulus())
     }
 
     /// Σ cᵢ xⁱ from ascending coefficients.
@@ -89,10 +83,10 @@ impl Image {
             } else {
                 modulus.times(value, modulus.inverse(denominator))
             };
-            let length = sum.len().max(free.numerators().len());
-            sum.resize(length, 0);
-            for (own, numerator) in sum.iter_mut().zip(free.numerators()) {
-                *own = modulus.plus(*own, modulus.times(numerator.image(place), weight));
+            let free = free.image(place);
+            sum.resize(sum.len().max(free.len()), 0);
+            for (own, image) in sum.iter_mut().zip(free) {
+                *own = modulus.plus(*own, modulus.times(image, weight));
             }
         }
         Some(Self::new(sum, modulus))

@@ -3,6 +3,8 @@ use std::fmt;
 use std::ops::Deref;
 use std::rc::Rc;
 
+use crate::number::{Integer, Place, Ring, gcd};
+
 /// The numerators of a polynomial, which copies share; a constant needs no memory of its own.
 #[derive(Clone)]
 pub(super) enum Numerators<R> {
@@ -14,12 +16,121 @@ pub(super) enum Numerators<R> {
 
 /// A list, and what was found out about it.
 pub(super) struct Shared<R> {
-    list: Vec<R>,
+    list: OnceCell<Vec<R>>,
+    /// What the list is multiplied out from, when it is asked for; none for one that was given.
+    product: Option<Product<R>>,
     /// The primitive list that it is a multiple of; none if that is the list itself.
     primitive: OnceCell<Option<Numerators<R>>>,
 }
 
-impl<R: Clone> Numerators<R> {
+/// f g / d for polynomials over the integers, of which none is 0, and a divisor of their contents.
+pub(super) struct Product<R> {
+    pub(super) left: Numerators<R>,
+    pub(super) right: Numerators<R>,
+    pub(super) divisor: Integer,
+}
+
+impl<R: Ring> Numerators<R> {
+    /// f g / d, multiplied out when the coefficients are asked for.
+    pub(super) fn product(left: Self, right: Self, divisor: Integer) -> Self {
+        Self::shared(
+            OnceCell::new(),
+            Some(Product {
+                left,
+                right,
+                divisor,
+            }),
+        )
+    }
+
+    fn shared(list: OnceCell<Vec<R>>, product: Option<Product<R>>) -> Self {
+        Self::Several(Rc::new(Shared {
+            list,
+            product,
+            primitive: OnceCell::new(),
+        }))
+    }
+
+    /// The product that is not multiplied out yet.
+    pub(super) fn factors(&self) -> Option<&Product<R>> {
+        match self {
+            Self::Several(own) if own.list.get().is_none() => own.product.as_ref(),
+            _ => None,
+        }
+    }
+
+    pub(super) fn len(&self) -> usize {
+        match self.factors() {
+            Some(own) => own.left.len() + own.right.len() - 1,
+            None => (**self).len(),
+        }
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        matches!(self, Self::Zero)
+    }
+
+    /// The coefficient of the lowest power; none for 0.
+    pub(super) fn first(&self) -> Option<R> {
+        match self.factors() {
+            Some(own) => own.end(own.left.first()?, own.right.first()?),
+            None => (**self).first().cloned(),
+        }
+    }
+
+    /// The coefficient of the highest power; none for 0.
+    pub(super) fn last(&self) -> Option<R> {
+        match self.factors() {
+            Some(own) => own.end(own.left.last()?, own.right.last()?),
+            None => (**self).last().cloned(),
+        }
+    }
+
+    /// Whether all are rational integers.
+    pub(super) fn is_rational(&self) -> bool {
+        self.factors().is_some() || self.iter().all(|own| own.height() == 0)
+    }
+
+    /// The greatest integer that divides all of them, and a given one.
+    pub(super) fn content_with(&self, with: &Integer) -> Integer {
+        if let Some(own) = self.factors() {
+            // Gauss's lemma
+            let zero = <Integer as Ring>::zero();
+            let [left, right] = [&own.left, &own.right].map(|own| own.content_with(&zero));
+            return gcd(with, &(left * right / &own.divisor));
+        }
+        let mut common = with.clone();
+        for own in self.iter().rev() {
+            if common.is_one() {
+                break;
+            }
+            common = own.content_with(&common);
+        }
+        common
+    }
+
+    /// The images at a place.
+    pub(super) fn image(&self, place: &Place) -> Vec<u64> {
+        let Some(own) = self.factors() else {
+            return self.iter().map(|own| own.image(place)).collect();
+        };
+        let modulus = place.modulus();
+        let divisor = modulus.embed_integer(&own.divisor);
+        if divisor == 0 {
+            return self.iter().map(|own| own.image(place)).collect();
+        }
+        let scale = modulus.inverse(divisor);
+        let right = own.right.image(place);
+        let right: Vec<u64> = right.iter().map(|own| modulus.times(*own, scale)).collect();
+        let mut sums = vec![0; self.len()];
+        for (index, left) in own.left.image(place).into_iter().enumerate() {
+            for (sum, right) in sums[index..].iter_mut().zip(&right) {
+                *sum = modulus.plus(*sum, modulus.times(left, *right));
+            }
+        }
+        sums
+    }
+
     /// The primitive list that it is a multiple of, which is sought once; none if that is the list
     /// itself.
     pub(super) fn primitive(&self, find: impl FnOnce() -> Option<Self>) -> Self {
@@ -31,49 +142,74 @@ impl<R: Clone> Numerators<R> {
     }
 }
 
-impl<R: PartialEq> PartialEq for Numerators<R> {
-    fn eq(&self, other: &Self) -> bool {
-        match (self, other) {
-            (Self::Several(own), Self::Several(other)) if Rc::ptr_eq(own, other) => true,
-            _ => **self == **other,
+impl<R: Ring> Product<R> {
+    /// A product of coefficients that is a coefficient of the product.
+    #[allow(clippy::unnecessary_wraps, reason = "a step in a chain of options")]
+    fn end(&self, left: R, right: R) -> Option<R> {
+        Some(left.times(&right).divided(&self.divisor))
+    }
+
+    fn multiplied(&self) -> Vec<R> {
+        let product = R::convolution(&self.left, &self.right);
+        if self.divisor.is_one() {
+            return product;
         }
+        let quotients = product.iter().map(|own| own.divided(&self.divisor));
+        quotients.collect()
     }
 }
 
-impl<R: Eq> Eq for Numerators<R> {}
+impl<R: Ring> PartialEq for Numerators<R> {
+    fn eq(&self, other: &Self) -> bool {
+        if let (Self::Several(own), Self::Several(other)) = (self, other)
+            && Rc::ptr_eq(own, other)
+        {
+            return true;
+        }
+        if let (Some(own), Some(other)) = (self.factors(), other.factors())
+            && own.left == other.left
+            && own.right == other.right
+        {
+            return own.divisor == other.divisor;
+        }
+        self.len() == other.len() && self.last() == other.last() && **self == **other
+    }
+}
 
-impl<R: fmt::Debug> fmt::Debug for Numerators<R> {
+impl<R: Ring> Eq for Numerators<R> {}
+
+impl<R: Ring> fmt::Debug for Numerators<R> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Debug::fmt(&**self, formatter)
     }
 }
 
-impl<R> From<Vec<R>> for Numerators<R> {
+impl<R: Ring> From<Vec<R>> for Numerators<R> {
     fn from(mut list: Vec<R>) -> Self {
         if list.len() > 1 {
-            return Self::Several(Rc::new(Shared {
-                list,
-                primitive: OnceCell::new(),
-            }));
+            return Self::shared(list.into(), None);
         }
         list.pop().map_or(Self::Zero, Self::Constant)
     }
 }
 
-impl<R> FromIterator<R> for Numerators<R> {
+impl<R: Ring> FromIterator<R> for Numerators<R> {
     fn from_iter<I: IntoIterator<Item = R>>(list: I) -> Self {
         Vec::from_iter(list).into()
     }
 }
 
-impl<R> Deref for Numerators<R> {
+impl<R: Ring> Deref for Numerators<R> {
     type Target = [R];
 
     fn deref(&self) -> &[R] {
         match self {
             Self::Zero => &[],
             Self::Constant(own) => std::slice::from_ref(own),
-            Self::Several(own) => &own.list,
+            Self::Several(own) => own.list.get_or_init(|| {
+                let product = own.product.as_ref();
+                product.map(Product::multiplied).unwrap_or_default()
+            }),
         }
     }
 }

@@ -1,9 +1,12 @@
 use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
 
-use crate::number::{Field, Integer, Ring, lcm};
+use crate::number::{Field, Integer, Place, Ring, lcm};
 
 use super::numerators::Numerators;
+
+/// Products of two polynomials with so many coefficients are multiplied out only when asked for.
+const LONG: usize = 16;
 
 /// A polynomial in one variable, Σ (nᵢ / d) xⁱ.
 ///
@@ -23,7 +26,13 @@ impl<F: Field> UniPoly<F> {
         while numerators.last().is_some_and(Ring::is_zero) {
             numerators.pop();
         }
-        let mut common = common_content(&numerators, &denominator);
+        let mut common = denominator.clone();
+        for own in numerators.iter().rev() {
+            if common.is_one() {
+                break;
+            }
+            common = own.content_with(&common);
+        }
         if Ring::sign(&denominator).is_lt() {
             common = -common;
         }
@@ -139,7 +148,8 @@ impl<F: Field> UniPoly<F> {
     /// Whether it is 1.
     #[must_use]
     pub fn is_one(&self) -> bool {
-        matches!(&*self.numerators, [only] if only.is_one()) && self.denominator.is_one()
+        matches!(&self.numerators, Numerators::Constant(own) if own.is_one())
+            && self.denominator.is_one()
     }
 
     /// Whether it is a constant, 0 included.
@@ -151,7 +161,7 @@ impl<F: Field> UniPoly<F> {
     /// Whether all coefficients are rational numbers.
     #[must_use]
     pub fn is_rational(&self) -> bool {
-        self.numerators.iter().all(|own| own.height() == 0)
+        self.numerators.is_rational()
     }
 
     /// Whether it is the product of a number and a polynomial with rational coefficients.
@@ -176,6 +186,40 @@ impl<F: Field> UniPoly<F> {
         &self.numerators
     }
 
+    /// The numerator of the highest power; none for 0.
+    #[must_use]
+    pub fn leading_numerator(&self) -> Option<F::Ring> {
+        self.numerators.last()
+    }
+
+    /// f, g and d of a product f(x) g(x) / d that is not multiplied out yet.
+    #[must_use]
+    pub fn factors(&self) -> Option<(Self, Self, Integer)> {
+        let product = self.numerators.factors()?;
+        let whole = |numerators: &Numerators<F::Ring>| Self {
+            numerators: numerators.clone(),
+            denominator: Integer::one(),
+        };
+        let below = &product.divisor * &self.denominator;
+        Some((whole(&product.left), whole(&product.right), below))
+    }
+
+    /// The images of the numerators at a place for them.
+    pub(super) fn image(&self, place: &Place) -> Vec<u64> {
+        self.numerators.image(place)
+    }
+
+    /// The numerator that lies in the largest field; none for 0.
+    pub(super) fn highest(&self) -> Option<F::Ring> {
+        if self.is_rational() {
+            return self.numerators.last();
+        }
+        self.numerators
+            .iter()
+            .max_by_key(|own| own.height())
+            .cloned()
+    }
+
     /// The common denominator d.
     #[must_use]
     pub fn denominator(&self) -> &Integer {
@@ -185,8 +229,13 @@ impl<F: Field> UniPoly<F> {
     /// The coefficient of xⁱ.
     #[must_use]
     pub fn coefficient(&self, power: usize) -> F {
-        match self.numerators.get(power) {
-            Some(numerator) => F::from_parts(numerator.clone(), self.denominator.clone()),
+        let numerator = match power {
+            0 => self.numerators.first(),
+            _ if power + 1 == self.numerators.len() => self.numerators.last(),
+            _ => self.numerators.get(power).cloned(),
+        };
+        match numerator {
+            Some(numerator) => F::from_parts(numerator, self.denominator.clone()),
             None => F::zero(),
         }
     }
@@ -194,8 +243,9 @@ impl<F: Field> UniPoly<F> {
     /// All coefficients, ascending.
     #[must_use]
     pub fn coefficients(&self) -> Vec<F> {
-        (0..self.numerators.len())
-            .map(|power| self.coefficient(power))
+        let numerators = self.numerators.iter();
+        numerators
+            .map(|own| F::from_parts(own.clone(), self.denominator.clone()))
             .collect()
     }
 
@@ -215,33 +265,47 @@ impl<F: Field> UniPoly<F> {
         if factor.is_zero() {
             return Self::zero();
         }
-        let (numerator, denominator) = factor.parts();
-        let scaled = self.numerators.iter().map(|own| own.times(&numerator));
-        let factor = (std::slice::from_ref(&numerator), &denominator);
-        self.joined(factor, scaled.collect())
+        let factor = Self::constant(factor);
+        if self.numerators.factors().is_some() {
+            return self.joined(&factor);
+        }
+        let numerator = &factor.numerators[0];
+        let scaled = self.numerators.iter().map(|own| own.times(numerator));
+        self.multiplied(&factor, scaled.collect())
     }
 
-    /// The product with the polynomial of these numerators over this denominator, in lowest terms
-    /// too, from the products of the numerators.
+    /// The product with a polynomial that is not 0, from the products of the numerators.
+    fn multiplied(&self, other: &Self, product: Vec<F::Ring>) -> Self {
+        if !self.is_rational() || !other.is_rational() {
+            return Self::from_numerators(product, &self.denominator * &other.denominator);
+        }
+        self.over(other, |common| {
+            if common.is_one() {
+                product.into()
+            } else {
+                product.iter().map(|own| own.divided(&common)).collect()
+            }
+        })
+    }
+
+    /// The product of polynomials over the rationals, multiplied out when it is asked for.
+    fn joined(&self, other: &Self) -> Self {
+        self.over(other, |common| {
+            Numerators::product(self.numerators.clone(), other.numerators.clone(), common)
+        })
+    }
+
+    /// The product of polynomials over the rationals in lowest terms, from its numerators divided
+    /// by an integer.
     ///
     /// Over the integers the content of a product is the product of the contents, so only crosswise
     /// is there something to cancel.   (Gauss's lemma)
-    fn joined(&self, other: (&[F::Ring], &Integer), product: Vec<F::Ring>) -> Self {
-        let is_rational = |list: &[F::Ring]| list.iter().all(|own| own.height() == 0);
-        if !is_rational(&self.numerators) || !is_rational(other.0) {
-            return Self::from_numerators(product, &self.denominator * other.1);
-        }
-        let first = common_content(&self.numerators, other.1);
-        let second = common_content(other.0, &self.denominator);
-        let common = &first * &second;
-        let numerators = if common.is_one() {
-            product.into()
-        } else {
-            product.iter().map(|own| own.divided(&common)).collect()
-        };
+    fn over(&self, other: &Self, divided: impl FnOnce(Integer) -> Numerators<F::Ring>) -> Self {
+        let first = self.numerators.content_with(&other.denominator);
+        let second = other.numerators.content_with(&self.denominator);
         Self {
-            numerators,
-            denominator: (&self.denominator / second) * (other.1 / first),
+            numerators: divided(&first * &second),
+            denominator: (&self.denominator / second) * (&other.denominator / first),
         }
     }
 
@@ -355,12 +419,19 @@ impl<F: Field> UniPoly<F> {
     /// The numerators of the primitive multiple; none if they are those of the polynomial.
     fn find_primitive(&self) -> Option<Numerators<F::Ring>> {
         let lead = self.numerators.last()?;
-        if lead.height() > 0 {
+        if !self.numerators.is_rational() && lead.height() > 0 {
             let own = self.monic().primitive().numerators;
             return (own != self.numerators).then_some(own);
         }
         let content = self.content();
         let negative = lead.sign().is_lt();
+        if self.numerators.factors().is_some() {
+            let sign = F::Ring::from_integer(&Integer::from(if negative { -1 } else { 1 }));
+            let changed = negative || !content.is_one();
+            return changed.then(|| {
+                Numerators::product(self.numerators.clone(), Numerators::Constant(sign), content)
+            });
+        }
         let numerators = self.numerators.iter();
         match (content.is_one(), negative) {
             (true, false) => None,
@@ -375,14 +446,13 @@ impl<F: Field> UniPoly<F> {
     /// The greatest integer that divides every numerator; 0 for 0.
     #[must_use]
     pub fn content(&self) -> Integer {
-        let mut content = Integer::zero();
-        for numerator in self.numerators.iter().rev() {
-            content = numerator.content_with(&content);
-            if content.is_one() {
-                break;
-            }
-        }
-        content
+        self.numerators.content_with(&Integer::zero())
+    }
+
+    /// Whether a product is better left alone until its coefficients are asked for.
+    fn is_long_product(&self, other: &Self) -> bool {
+        let length = self.numerators.len().min(other.numerators.len());
+        length >= LONG && self.is_rational() && other.is_rational()
     }
 
     fn combine(&self, other: &Self, add: impl Fn(&F::Ring, &F::Ring) -> F::Ring) -> Self {
@@ -410,18 +480,6 @@ impl<F: Field> UniPoly<F> {
     }
 }
 
-/// The greatest integer that divides an integer and all numbers of a list.
-fn common_content<R: Ring>(list: &[R], with: &Integer) -> Integer {
-    let mut common = with.clone();
-    for own in list.iter().rev() {
-        if common.is_one() {
-            break;
-        }
-        common = own.content_with(&common);
-    }
-    common
-}
-
 impl<F: Field> Add for &UniPoly<F> {
     type Output = UniPoly<F>;
     fn add(self, other: Self) -> UniPoly<F> {
@@ -447,6 +505,9 @@ impl<F: Field> Sub for &UniPoly<F> {
 impl<F: Field> Neg for &UniPoly<F> {
     type Output = UniPoly<F>;
     fn neg(self) -> UniPoly<F> {
+        if self.numerators.factors().is_some() {
+            return self.scale(&F::one().negated());
+        }
         UniPoly {
             numerators: self.numerators.iter().map(Ring::negated).collect(),
             denominator: self.denominator.clone(),
@@ -465,8 +526,11 @@ impl<F: Field> Mul for &UniPoly<F> {
             (_, true) => return self.clone(),
             _ => {}
         }
+        if self.is_long_product(other) {
+            return self.joined(other);
+        }
         let product = F::Ring::convolution(&self.numerators, &other.numerators);
-        self.joined((&other.numerators, &other.denominator), product)
+        self.multiplied(other, product)
     }
 }
 
