@@ -167,6 +167,19 @@ fn the_unit_is_the_declared_one() {
 }
 
 #[test]
+fn normals_do_not_depend_on_the_form_of_the_weights() {
+    // The weight has a negative Bernstein coefficient at its own degree, and is positive.
+    let text = "surface R = (u, v + 1/(1 - 3u + 3u^2), 0)\nexpect normal(R) == (0, 0, 1)\n";
+    let folder = tempfile::TempDir::new().unwrap();
+    let arguments = ["compile", "-", "--emit", "mesh"];
+    let output = example_files::run(folder.path(), &arguments, text);
+    assert!(output.status.success(), "{output:?}");
+    let mesh = std::fs::read_to_string(folder.path().join("stdin-R.mesh.obj")).unwrap();
+    let normals: Vec<&str> = mesh.lines().filter(|own| own.starts_with("vn ")).collect();
+    assert_eq!(normals, ["vn 0.0 0.0 1.0"]);
+}
+
+#[test]
 fn a_fold_is_told() {
     // The curve has the radius of curvature 3/2 at v = 0; the profile goes out to `reach`.
     let findings = |reach: &str| {

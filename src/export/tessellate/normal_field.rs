@@ -1,6 +1,6 @@
 use crate::export::{Double, Precision};
 use crate::net::Face;
-use crate::number::{Real, Ring};
+use crate::number::{Field, Real, Ring};
 use crate::sweep::NormalVector;
 
 use super::nearest::nearest_unit;
@@ -22,10 +22,10 @@ impl NormalField {
         let u = face.net.knots_u().domain();
         let v = face.net.knots_v().domain();
         let [x, y, z] = &normal.direction;
-        // R_u × R_v = factor · D / W³, and W has one sign on the face.
-        let weight = Tensor::of_polynomials([face.surface.weight()], u, v);
-        let negative = weight.coefficients(0).any(|own| own.sign().is_lt());
-        let against = negative != opposite;
+        // R_u × R_v = factor · D / W³, and W has one sign on the face. Its Bernstein coefficients
+        // need not have it, where those of the face are of a higher degree.
+        let weight = face.surface.weight().evaluate(u.0, v.0);
+        let against = weight.sign().is_lt() != opposite;
         let factor = Tensor::of_polynomials([&normal.factor()], u, v);
         let signs = || factor.coefficients(0).map(Ring::sign);
         let turned = match (
