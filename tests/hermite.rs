@@ -66,8 +66,12 @@ fn degenerate_data_have_curves_too() {
         "(0, 0); (4, 0); (2, 2); (0, 0)",
         "(0, 0); (0, 0); (2, 2); (0, 0)",
     ] {
-        sound(&interpolated(data, "best", [0, 1]), &["W1003"]);
+        sound(&interpolated(data, "best", [0, 1]), &["W1003", "W1011"]);
     }
+    // a straight line that stops and turns back has a cusp, and bends nowhere
+    let stop = interpolated("(0, 0); (5, 0); (1, 0); (5, 0)", "\"+-\"", [0, 1]);
+    sound(&stop, &["W1003", "W1011"]);
+    assert_eq!(interpolant(&stop)["bending_energy"], "0");
     // a straight line at constant speed is the best of four, three of which have cusps
     let line = interpolated("(0, 0); (3, 4); (3, 4); (3, 4)", "best", [0, 1]);
     sound(&line, &[]);

@@ -306,8 +306,14 @@ surface R = c(v) + x(u) n(v) + z(u) k",
         &["W1011"],
         &["R_u × R_v is zero at u = 1/2"],
     );
-    // A collapsed side is no fold.
+    // A collapsed side is no fold; one along which the surface stops is.
     says("surface R = (u v, u (1 - v), 0)", &[], &[]);
+    says(
+        "surface R = (v^2, v^3, u)",
+        &["W1011"],
+        &["R_u × R_v is zero at v = 0"],
+    );
+    says("surface R = (u v^2 / (1 + u), v^2, v^3)", &[], &[]);
     says(
         "profile p(u) in xy = (u, 1)
 sweep c(v) in xy = (v, 0)

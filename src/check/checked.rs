@@ -159,8 +159,8 @@ impl Checked {
             lower == upper && (lower == range.start() || lower == range.end())
         };
         let place = self.singular.iter().find(|place| match place.kind {
-            ZeroKind::LineU => !on_side(&place.u, u),
-            ZeroKind::LineV => !on_side(&place.v, v),
+            ZeroKind::LineU => !(on_side(&place.u, u) && self.collapses(place)),
+            ZeroKind::LineV => !(on_side(&place.v, v) && self.collapses(place)),
             ZeroKind::Point => !(on_side(&place.u, u) && on_side(&place.v, v)),
             ZeroKind::Box => true,
         })?;
@@ -169,7 +169,22 @@ impl Checked {
             self.name()
         );
         let finding = Diagnostic::new(Code::W1011, self.definition.span, message);
-        Some(finding.note("the surface folds there, or its sweep curve or profile has a cusp"))
+        let note = "the surface folds there, or its sweep curve or profile has a cusp or stops";
+        Some(finding.note(note))
+    }
+
+    /// Whether all points of a line are the same: X, Y and Z are multiples of W there.
+    fn collapses(&self, line: &ZeroSet<Real>) -> bool {
+        let coordinates = self.surface().proportional().each_ref();
+        let [weight, point @ ..] = coordinates.map(|own| match line.kind {
+            ZeroKind::LineU => own.at_u(&line.u.0),
+            _ => own.at_v(&line.v.0),
+        });
+        let lead = weight.leading_coefficient();
+        point.iter().all(|own| {
+            let multiple = weight.scale(&own.leading_coefficient());
+            own.is_zero() || own.scale(&lead) == multiple
+        })
     }
 
     /// The warning for a zero that W, X, Y, Z as constructed have in common on the domain, so that

@@ -124,12 +124,24 @@ impl Basis {
         if adjoined.chars().count() <= READABLE {
             return Some(format!("Q{adjoined}, degree {degree}"));
         }
+        Some(format!("degree {degree}, {}", self.defined(part)))
+    }
+
+    /// `r1 = √(2), r2 = √(3 + r1)` for the generators whose names [`Basis::readable`] writes; none
+    /// where it writes radicals.
+    #[must_use]
+    pub fn legend(&self, number: &Surd) -> Option<String> {
+        let named = self.readable(number) != number.to_string();
+        named.then(|| self.defined(&Self::of([number.numerator()])))
+    }
+
+    /// The names of some of the generators, with what they are.
+    fn defined(&self, part: &Self) -> String {
         let names = part.generators.iter().map(|own| {
             let square = Surd::integral(own.square().clone());
             format!("{} = √({})", self.name(own), self.spell(&square))
         });
-        let names: Vec<String> = names.collect();
-        Some(format!("degree {degree}, {}", names.join(", ")))
+        names.collect::<Vec<_>>().join(", ")
     }
 
     /// The number that a text spells; none if it is not of that form.

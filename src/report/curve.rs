@@ -24,6 +24,9 @@ pub(super) struct LengthReport {
     /// With every radical written out, where that is short.
     #[serde(skip)]
     pub(super) readable: String,
+    /// The generators that the readable form names, with what they are.
+    #[serde(skip)]
+    pub(super) generators: Option<String>,
 }
 
 /// A branch of the four PH quintics with the same Hermite data.
@@ -52,6 +55,7 @@ impl CurveReport {
             exact: basis.spell(&length),
             decimal: length.decide(|own| significant(own, LENGTH_DIGITS)),
             readable: basis.readable(&length),
+            generators: basis.legend(&length),
         });
         let hermite = curve.preimage().zip(curve.interpolant());
         Self {
@@ -66,6 +70,9 @@ impl HermiteReport {
     fn of(preimage: &Preimage, interpolant: &Interpolant, curve: &Curve) -> Self {
         let domain = curve.domain();
         let energy = |bits: u32| bending_energy(preimage, domain, bits);
+        // A straight line that stops has no curvature all the same.
+        let bends = !preimage.turning().is_zero();
+        let is_infinite = bends && preimage.has_cusp(domain);
         Self {
             branch: interpolant.branch.word(),
             choice: match interpolant.choice {
@@ -74,7 +81,7 @@ impl HermiteReport {
                 Choice::FirstOfEqual => "first of those with the least absolute rotation index",
             },
             rotation_index: digits(&|bits| Some(rotation_index(preimage, domain, bits).ends())),
-            bending_energy: (!preimage.has_cusp(domain)).then(|| digits(&energy)),
+            bending_energy: (!is_infinite).then(|| digits(&energy)),
         }
     }
 }

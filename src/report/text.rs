@@ -149,10 +149,16 @@ pub(super) fn curve_facts(curve: &CurveReport) -> Vec<(&'static str, String)> {
         Some(length) => format!("{} ≈ {}", length.readable, length.decimal),
     };
     facts.push(("arc length", length));
+    let generators = curve
+        .arc_length
+        .iter()
+        .filter_map(|own| own.generators.clone());
+    facts.extend(generators.map(|own| ("with", own)));
     if let Some(own) = &curve.ph_hermite {
         let energy = own.bending_energy.as_deref().unwrap_or("infinite");
         facts.push(("branch", format!("{} ({})", own.branch, own.choice)));
-        facts.push(("rotation index", own.rotation_index.clone()));
+        let rotation = format!("{} (absolute: ∫|κ| ds / 2π)", own.rotation_index);
+        facts.push(("rotation index", rotation));
         facts.push(("bending energy", energy.to_owned()));
     }
     facts

@@ -57,7 +57,7 @@ impl Row {
             columns.push(format!("lengths.{curve}.exact"));
             columns.push(format!("lengths.{curve}.decimal"));
         }
-        columns.push("files".to_owned());
+        columns.extend(fixed(&["field", "files"]));
         columns
     }
 
@@ -90,6 +90,9 @@ impl Row {
             let length = length.map(|own| [own.exact.clone(), own.decimal.clone()]);
             cells.extend(length.unwrap_or_default());
         }
+        let field = self.field.iter().flatten();
+        let field = field.map(|own| format!("{} = √({})", own.name, own.square));
+        cells.push(field.collect::<Vec<_>>().join(", "));
         cells.push(self.files.join(" "));
         cells
     }
