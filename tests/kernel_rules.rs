@@ -180,6 +180,23 @@ fn normals_do_not_depend_on_the_form_of_the_weights() {
 }
 
 #[test]
+fn the_size_of_a_surface_is_not_that_of_its_control_points() {
+    // The twelfth Chebyshev polynomial on [0, 1] has values within 1, and coefficients of thousands.
+    let text = "let t(u) = 2u - 1\nlet f(u) = 32 t(u)^6 - 48 t(u)^4 + 18 t(u)^2 - 1\n\
+                surface R = (u, v, 2 f(u)^2 - 1)\n";
+    let triangles = |chord: &[&str]| {
+        let folder = tempfile::TempDir::new().unwrap();
+        let arguments = [&["compile", "-", "--emit", "mesh"], chord].concat();
+        let output = example_files::run(folder.path(), &arguments, text);
+        assert!(output.status.success(), "{output:?}");
+        let mesh = std::fs::read_to_string(folder.path().join("stdin-R.mesh.obj")).unwrap();
+        mesh.lines().filter(|own| own.starts_with("f ")).count()
+    };
+    // A thousandth of 2, and half as much again.
+    assert!(triangles(&[]) >= triangles(&["--chord", "3/1000"]));
+}
+
+#[test]
 fn a_fold_is_told() {
     // The curve has the radius of curvature 3/2 at v = 0; the profile goes out to `reach`.
     let findings = |reach: &str| {

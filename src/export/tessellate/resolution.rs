@@ -1,11 +1,14 @@
 use crate::diag::Code;
 use crate::export::approx::magnitude;
 use crate::export::{ExportFault, Precision};
-use crate::net::{ControlNet, Model};
+use crate::net::{Face, Model};
 use crate::number::{Field, Integer, Real};
 
 /// The default tolerance is this part of the model's size.
 const PART_OF_SIZE: i64 = 1_000;
+
+/// Steps along each parameter between the points that tell the size of a face.
+const SAMPLES: i64 = 8;
 
 /// Tolerances of a mesh: what is asked for, and what the rounding of its points takes of it.
 pub(super) struct Resolution {
@@ -64,25 +67,37 @@ impl Resolution {
     }
 }
 
-/// The longest side of the box of all control points, and the greatest coordinate.
+/// The longest side of the box of points on the surfaces, and the greatest coordinate of a control
+/// point. Control points may be much further apart than the points of their surface.
 fn extent(model: &Model) -> (Real, Real) {
     let faces = || model.shells().iter().flat_map(|own| &own.faces);
-    let nets = || faces().map(|own| &own.net).flat_map(ControlNet::points);
-    let ranges = [0, 1, 2].map(|axis| {
-        let values = || nets().map(|own| &own[axis]);
-        let (least, greatest) = (values().min(), values().max());
-        least.zip(greatest).map_or_else(
-            || [Real::zero(), Real::zero()],
-            |(least, greatest)| [least.clone(), greatest.clone()],
-        )
+    let points: Vec<[Real; 3]> = faces().flat_map(samples).collect();
+    let size = [0, 1, 2].into_iter().filter_map(|axis| {
+        let values = || points.iter().map(|own| &own[axis]);
+        Some(values().max()?.minus(values().min()?))
     });
-    let size = ranges
-        .iter()
-        .map(|[least, greatest]| greatest.minus(least))
-        .max();
-    let reach = ranges.iter().flatten().map(Real::absolute).max();
+    let controls = faces().flat_map(|own| own.net.points()).flatten();
+    let reach = controls.map(Real::absolute).max();
     (
-        size.unwrap_or_else(Real::zero),
+        size.max().unwrap_or_else(Real::zero),
         reach.unwrap_or_else(Real::zero),
     )
+}
+
+/// Points of a face, evenly spaced in its parameters, its corners among them.
+fn samples(face: &Face) -> Vec<[Real; 3]> {
+    let along_u = steps(face.net.knots_u().domain());
+    let along_v = steps(face.net.knots_v().domain());
+    let places = along_u
+        .iter()
+        .flat_map(|u| along_v.iter().map(move |v| (u, v)));
+    places
+        .filter_map(|(u, v)| face.surface.evaluate(u, v))
+        .collect()
+}
+
+fn steps((from, to): (&Real, &Real)) -> Vec<Real> {
+    let width = to.minus(from);
+    let part = |index: i64| width.times(&Real::ratio(index.into(), SAMPLES.into()));
+    (0..=SAMPLES).map(|own| from.plus(&part(own))).collect()
 }
