@@ -301,6 +301,17 @@ fn endless_files_are_read_no_further_than_the_limit() {
     assert_eq!(status(&run(folder.path(), &["check", "/dev/zero"], "")), 4);
 }
 
+#[test]
+fn a_finding_in_a_very_long_line_is_short() {
+    let text = format!("let a = 1,5 let b = 2,5 # {}\n", "x".repeat(1_000_000));
+    let folder = folder(&text);
+    let output = run(folder.path(), &["check", "x.sweep"], "");
+    let told = err(&output);
+    assert_eq!(status(&output), 1);
+    assert!(told.contains("1.5 let b"), "{told}");
+    assert!(told.len() < 10_000, "{}", told.len());
+}
+
 #[cfg(target_os = "linux")]
 #[test]
 fn names_that_are_not_text_keep_their_bytes() {
