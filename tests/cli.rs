@@ -302,6 +302,44 @@ fn endless_files_are_read_no_further_than_the_limit() {
 }
 
 #[test]
+fn limits_may_be_as_high_as_their_numbers_go() {
+    let folder = folder(SOUND);
+    fs::write(folder.path().join("v.csv"), "a\n2\n").unwrap();
+    let (most, largest) = (usize::MAX.to_string(), u32::MAX.to_string());
+    let long = [
+        "source",
+        "digits",
+        "degree",
+        "terms",
+        "bits",
+        "field-degree",
+    ];
+    let longer = ["triangles", "imports", "variants", "seconds", "memory"];
+    let limits = long.iter().chain(&longer).map(|own| (own, &most));
+    for (limit, value) in limits.chain([(&"exponent", &largest)]) {
+        let limit = format!("--max-{limit}={value}");
+        let arguments = [
+            "compile",
+            "x.sweep",
+            "--list=v.csv",
+            "--emit=json,glb",
+            &limit,
+        ];
+        let output = run(folder.path(), &arguments, "");
+        assert_eq!(status(&output), 0, "{limit} {}", err(&output));
+        let written = files(folder.path());
+        assert!(written.contains("x-a=2-R.json"), "{limit} {written:?}");
+        fs::remove_file(folder.path().join("x-a=2-R.json")).unwrap();
+    }
+    let output = run(
+        folder.path(),
+        &["check", "-", &format!("--max-source={most}")],
+        "?",
+    );
+    assert_eq!(status(&output), 1);
+}
+
+#[test]
 fn a_finding_in_a_very_long_line_is_short() {
     let text = format!("let a = 1,5 let b = 2,5 # {}\n", "x".repeat(1_000_000));
     let folder = folder(&text);

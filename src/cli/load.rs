@@ -28,10 +28,8 @@ pub(super) fn load(root: &Path, limits: &Limits) -> Loaded {
         chain: Vec::new(),
     };
     if root == Path::new("-") {
-        let mut bytes = Vec::new();
-        let most = limits.source as u64 + 1;
-        match std::io::stdin().lock().take(most).read_to_end(&mut bytes) {
-            Ok(_) => {
+        match read_from(std::io::stdin().lock(), limits) {
+            Ok(bytes) => {
                 loader.folder = canonical(Path::new("."));
                 loader.parse("<stdin>", &bytes, None);
             }
@@ -52,10 +50,15 @@ pub(super) fn load(root: &Path, limits: &Limits) -> Loaded {
 }
 
 /// The bytes of a file, but no more than one beyond the limit.
-fn read(path: &Path, limits: &Limits) -> std::io::Result<Vec<u8>> {
+pub(super) fn read(path: &Path, limits: &Limits) -> std::io::Result<Vec<u8>> {
+    read_from(fs::File::open(path)?, limits)
+}
+
+fn read_from(reader: impl Read, limits: &Limits) -> std::io::Result<Vec<u8>> {
+    let most = u64::try_from(limits.largest_source()).unwrap_or(u64::MAX);
     let mut bytes = Vec::new();
-    let file = fs::File::open(path)?;
-    file.take(limits.source as u64 + 1)
+    reader
+        .take(most.saturating_add(1))
         .read_to_end(&mut bytes)?;
     Ok(bytes)
 }

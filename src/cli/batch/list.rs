@@ -1,10 +1,9 @@
 use std::collections::HashMap;
-use std::fs::File;
-use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use csv::{ByteRecord, ReaderBuilder, Trim};
 
+use crate::cli::load::read;
 use crate::diag::{Code, Diagnostic, Diagnostics, FileId, Limits, SourceMap, Span};
 use crate::number::Rational;
 use crate::sema::nearest;
@@ -34,13 +33,7 @@ impl List {
         };
         let mut findings = Diagnostics::default();
         let name = path.display().to_string();
-        let bytes = File::open(path).and_then(|file| {
-            let mut bytes = Vec::new();
-            file.take(limits.source as u64 + 1)
-                .read_to_end(&mut bytes)?;
-            Ok(bytes)
-        });
-        match bytes.map(|bytes| decode(&bytes, &name, limits)) {
+        match read(path, limits).map(|bytes| decode(&bytes, &name, limits)) {
             Ok(Ok(text)) => {
                 let file = list.sources.add(name, text.as_str());
                 list.parse(&text, file, limits, &mut findings);
