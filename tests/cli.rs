@@ -302,6 +302,41 @@ fn endless_files_are_read_no_further_than_the_limit() {
 }
 
 #[test]
+fn every_format_that_refuses_a_surface_is_named() {
+    for (text, formats, code, note) in [
+        (
+            "surface R = (u / (1 + 20000000 u), v, u v)",
+            "step,iges,3dm,obj",
+            "E0304",
+            "not written: `step`, `iges`, `3dm`, `obj`\n",
+        ),
+        (
+            "surface R = (1e39 u, 1e39 v, 1e39 u v)",
+            "stl,ply,glb",
+            "E0306",
+            "not written: `stl`, `glb`\n",
+        ),
+        (
+            "surface R = (u, v, u^26)",
+            "step,json",
+            "E0305",
+            "not written: `step`\n",
+        ),
+    ] {
+        let folder = folder(text);
+        let output = run(
+            folder.path(),
+            &["compile", "x.sweep", "--emit", formats],
+            "",
+        );
+        let told = err(&output);
+        assert_eq!(status(&output), 1, "{told}");
+        assert_eq!(told.matches(&format!("error[{code}]")).count(), 1, "{told}");
+        assert!(told.contains(note), "{told}");
+    }
+}
+
+#[test]
 fn limits_may_be_as_high_as_their_numbers_go() {
     let folder = folder(SOUND);
     fs::write(folder.path().join("v.csv"), "a\n2\n").unwrap();

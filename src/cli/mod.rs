@@ -15,6 +15,7 @@ mod output;
 mod parallel;
 mod parsed;
 mod progress;
+mod refused_formats;
 mod report;
 mod session;
 mod staged;
