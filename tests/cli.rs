@@ -337,6 +337,40 @@ fn every_format_that_refuses_a_surface_is_named() {
 }
 
 #[test]
+fn a_refused_surface_leaves_out_the_file_of_all() {
+    for (bad, emit, code) in [
+        ("(u^26, v, u)", "step", "E0305"),
+        ("(u^26, v, u)", "iges", "E0305"),
+        ("(1e39 u, v, 0)", "stl", "E0306"),
+    ] {
+        let folder = folder(&format!("surface R = (u, v, u v)\nsurface Z = {bad}\n"));
+        let output = run(folder.path(), &["compile", "x.sweep", "--emit", emit], "");
+        let told = err(&output);
+        assert_eq!(status(&output), 1, "{told}");
+        assert_eq!(told.matches("error[").count(), 1, "{told}");
+        assert!(told.contains(code) && told.contains("x.sweep:2:"), "{told}");
+        let extension = if emit == "iges" { "igs" } else { emit };
+        let expected = ["x.sweep", &format!("x-R.{extension}")];
+        assert_eq!(files(folder.path()), names(&expected));
+    }
+}
+
+#[test]
+fn what_only_the_file_of_all_surfaces_exceeds_is_said_of_it() {
+    let folder = folder("surface R = (u, v, u v)\nsurface S = (-u, v, u v)\n");
+    let arguments = ["compile", "x.sweep", "--emit=glb", "--chord=1/8"];
+    let alone = ["--max-triangles=8"];
+    let output = run(folder.path(), &[&arguments[..], &alone].concat(), "");
+    let told = err(&output);
+    assert_eq!(status(&output), 4, "{told}");
+    let note = "all surfaces in one file are not written: `glb`";
+    assert!(told.contains(note) && !told.contains("note: not"), "{told}");
+    assert_eq!(told.matches("error[").count(), 1, "{told}");
+    let expected = ["x.sweep", "x-R.glb", "x-S.glb"];
+    assert_eq!(files(folder.path()), names(&expected));
+}
+
+#[test]
 fn limits_may_be_as_high_as_their_numbers_go() {
     let folder = folder(SOUND);
     fs::write(folder.path().join("v.csv"), "a\n2\n").unwrap();

@@ -1,3 +1,4 @@
+use std::collections::HashSet;
 use std::ffi::{OsStr, OsString};
 
 use crate::diag::{Code, Diagnostic, Diagnostics, SourceMap};
@@ -100,6 +101,7 @@ impl Emit {
                 Err(error) => findings.push(Diagnostic::global(Code::E0602, error.to_string())),
             }
         }
+        let mut refused = HashSet::new();
         for surface in compilation.sound_surfaces() {
             let span = surface.definition().span;
             let exports = compilation.export(surface, &self.formats, &shown, options);
@@ -117,6 +119,7 @@ impl Emit {
                     Err(finding) => refusals.add(format.name, *finding),
                 }
             }
+            refused.extend(refusals.formats());
             findings.extend(refusals.findings("not written"));
         }
         let mut refusals = RefusedFormats::default();
@@ -127,6 +130,8 @@ impl Emit {
                     let ending = format!(".{}", format.extension);
                     files.push(Product::of_all(stem, &ending, exported.bytes));
                 }
+                // So is what its own file is refused for.
+                Err(_) if refused.contains(format.name) => {}
                 Err(finding) => refusals.add(format.name, *finding),
             }
         }

@@ -20,6 +20,11 @@ impl RefusedFormats {
         }
     }
 
+    /// The formats that refuse something.
+    pub(super) fn formats(&self) -> impl Iterator<Item = &'static str> {
+        self.list.iter().flat_map(|(_, formats)| formats).copied()
+    }
+
     /// The findings. What comes of them is said with the names of the formats.
     pub(super) fn findings(self, outcome: &str) -> impl Iterator<Item = Diagnostic> {
         self.list.into_iter().map(move |(finding, formats)| {
