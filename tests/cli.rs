@@ -371,6 +371,56 @@ fn what_only_the_file_of_all_surfaces_exceeds_is_said_of_it() {
 }
 
 #[test]
+fn values_of_parameters_keep_to_the_limits_of_numbers() {
+    let folder = folder(SOUND);
+    for (value, limit, expected, part) in [
+        (
+            "1234",
+            "--max-digits=3",
+            4,
+            "error[E0503]: a number of 4 digits",
+        ),
+        (
+            "1/1234",
+            "--max-digits=3",
+            4,
+            "`--max-digits` raises the limit",
+        ),
+        ("1234", "--max-digits=4", 0, ""),
+        ("1e40", "--max-exponent=3", 4, "error[E0504]"),
+        ("1e40", "--max-exponent=3", 4, "given with `-D a=…`"),
+        ("1e4097", "--max-digits=9", 4, "`--max-exponent`"),
+        ("1e5000", "--max-exponent=10000", 0, ""),
+        ("1_000", "--max-digits=9", 2, "is not an exact number"),
+    ] {
+        for command in ["check", "report", "compile"] {
+            let value = format!("a={value}");
+            let arguments = [command, "x.sweep", "-D", &value, limit];
+            let output = run(folder.path(), &arguments, "");
+            let told = err(&output);
+            // No format but `json` carries so great a number.
+            let refused = expected == 0 && told.contains("E0306");
+            assert!(
+                refused || status(&output) == expected,
+                "{arguments:?} {told}"
+            );
+            assert!(told.contains(part), "{arguments:?} {told}");
+        }
+    }
+    let arguments = [
+        "check",
+        "x.sweep",
+        "--format=json",
+        "-Da=12",
+        "--max-digits=1",
+    ];
+    let output = run(folder.path(), &arguments, "");
+    let finding: Value = serde_json::from_str(&out(&output)).unwrap();
+    assert_eq!(finding["code"], "E0503");
+    assert_eq!(status(&output), 4);
+}
+
+#[test]
 fn limits_may_be_as_high_as_their_numbers_go() {
     let folder = folder(SOUND);
     fs::write(folder.path().join("v.csv"), "a\n2\n").unwrap();

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use csv::{ByteRecord, ReaderBuilder, Trim};
 
 use crate::cli::load::read;
+use crate::cli::numeral::numeral;
 use crate::diag::{Code, Diagnostic, Diagnostics, FileId, Limits, SourceMap, Span};
 use crate::number::Rational;
 use crate::sema::nearest;
@@ -80,7 +81,7 @@ impl List {
                 self.take_header(&fields, span, findings);
                 continue;
             }
-            match self.row(&fields, limits) {
+            match self.row(&fields, span, limits) {
                 Ok(row) => {
                     let variant = self.rows.len() + 1;
                     if let Some(first) = seen.insert(row.clone(), variant) {
@@ -90,7 +91,7 @@ impl List {
                     }
                     self.rows.push(row);
                 }
-                Err((code, message)) => findings.push(Diagnostic::new(code, span, message)),
+                Err(finding) => findings.push(*finding),
             }
             if findings.len() >= limits.syntax_errors {
                 return;
@@ -114,19 +115,20 @@ impl List {
         }
     }
 
-    fn row(&self, fields: &[String], limits: &Limits) -> Result<Vec<Rational>, (Code, String)> {
+    fn row(
+        &self,
+        fields: &[String],
+        span: Span,
+        limits: &Limits,
+    ) -> Result<Vec<Rational>, Box<Diagnostic>> {
         if fields.len() != self.names.len() {
             let (found, wanted) = (fields.len(), self.names.len());
             let message = format!("this line has {found} values, the first line {wanted} names");
-            return Err((Code::E0605, message));
+            return Err(Box::new(Diagnostic::new(Code::E0605, span, message)));
         }
         let number = |own: &String| {
-            if own.len() > limits.digits {
-                let message = format!("a number of more than {} digits", limits.digits);
-                return Err((Code::E0503, message + "; `--max-digits` raises the limit"));
-            }
-            let message = || format!("`{own}` is not an exact number such as 3/2 or 0.25");
-            own.parse().map_err(|()| (Code::E0605, message()))
+            numeral(own, limits)
+                .map_err(|fault| Box::new(fault.at(span, own)))
         };
         fields.iter().map(number).collect()
     }
