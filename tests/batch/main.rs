@@ -449,6 +449,16 @@ fn lists_that_are_none() {
         ("d,h\n1,1\n", 1, &["E0112"], "there are: d, e"),
         ("d\n\u{0}\n", 1, &["E0605"], ""),
         ("d\n1e5000\n", 4, &["E0504"], "`--max-exponent`"),
+        ("d\nx\n\"2\n", 1, &["E0605", "E0605"], "l.csv:3:1"),
+        (
+            "\u{feff}d\n\"2\n",
+            1,
+            &["E0605"],
+            "this quote is never closed",
+        ),
+        ("\"d\n2\n", 1, &["E0605"], "l.csv:1:1"),
+        ("\"d\", \"e\"\n1,2\n", 1, &["E0605"], "remove the space"),
+        ("d,e\n1, \"2\"\n", 1, &["E0605"], "remove the space"),
     ] {
         fs::write(folder.path().join("l.csv"), list).unwrap();
         let (_, err) = compile(folder.path(), &["x.sweep", "--list", "l.csv"], status);

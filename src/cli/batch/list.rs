@@ -10,6 +10,8 @@ use crate::number::Rational;
 use crate::sema::nearest;
 use crate::syntax::{canonical_name, decode};
 
+use super::quotes::OpenQuote;
+
 /// Values of parameters, a variant a line.
 #[derive(Debug, Default)]
 pub(super) struct List {
@@ -52,10 +54,31 @@ impl List {
     }
 
     fn parse(&mut self, text: &str, file: FileId, limits: &Limits, findings: &mut Diagnostics) {
-        let text = text
-            .strip_prefix('\u{feff}')
-            .map_or((0, text), |rest| (3, rest));
-        let (shift, text) = text;
+        let shift = if text.starts_with('\u{feff}') { 3 } else { 0 };
+        let open = OpenQuote::find(&text[shift..]);
+        let end = open.map_or(text.len(), |own| shift + own.line);
+        self.read_lines(&text[shift..end], shift, file, limits, findings);
+        if let Some(OpenQuote { at, .. }) = open {
+            let span = Span::new(file, shift + at, shift + at + 1);
+            let finding = Diagnostic::new(Code::E0605, span, "this quote is never closed");
+            findings.push(finding);
+        }
+        if !findings.has_errors() && self.rows.is_empty() {
+            let message = format!("`{}` lists no variant", self.path.display());
+            let finding = Diagnostic::global(Code::E0605, message);
+            findings.push(finding.help("write names in the first line, then a variant a line"));
+        }
+    }
+
+    /// Reads lines that begin at an offset of the file.
+    fn read_lines(
+        &mut self,
+        text: &str,
+        shift: usize,
+        file: FileId,
+        limits: &Limits,
+        findings: &mut Diagnostics,
+    ) {
         let mut reader = ReaderBuilder::new()
             .has_headers(false)
             .flexible(true)
@@ -97,11 +120,6 @@ impl List {
                 return;
             }
         }
-        if !findings.has_errors() && self.rows.is_empty() {
-            let message = format!("`{}` lists no variant", self.path.display());
-            let finding = Diagnostic::global(Code::E0605, message);
-            findings.push(finding.help("write names in the first line, then a variant a line"));
-        }
     }
 
     fn take_header(&mut self, fields: &[String], span: Span, findings: &mut Diagnostics) {
@@ -112,6 +130,11 @@ impl List {
                 let message = format!("`{name}` has two columns");
                 findings.push(Diagnostic::new(Code::E0605, span, message));
             }
+        }
+        for field in fields.iter().filter(|own| own.contains('"')) {
+            let message = format!("`{field}` is no name: a quote is part of it");
+            let finding = Diagnostic::new(Code::E0605, span, message);
+            findings.push(help_with_quotes(finding, field));
         }
     }
 
@@ -128,7 +151,7 @@ impl List {
         }
         let number = |own: &String| {
             numeral(own, limits)
-                .map_err(|fault| Box::new(fault.at(span, own)))
+                .map_err(|fault| Box::new(help_with_quotes(fault.at(span, own), own)))
         };
         fields.iter().map(number).collect()
     }
@@ -149,5 +172,14 @@ impl List {
             });
         }
         findings
+    }
+}
+
+/// Says why a quote is part of a value that begins with it.
+fn help_with_quotes(finding: Diagnostic, value: &str) -> Diagnostic {
+    if value.starts_with('"') {
+        finding.help("a quote opens a value only right behind the comma: remove the space between")
+    } else {
+        finding
     }
 }

@@ -8,6 +8,7 @@ mod axis;
 mod input;
 mod list;
 mod output;
+mod quotes;
 mod row;
 mod table;
 mod variant;
