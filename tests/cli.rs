@@ -421,6 +421,45 @@ fn values_of_parameters_keep_to_the_limits_of_numbers() {
 }
 
 #[test]
+fn imported_files_are_named_from_the_working_directory() {
+    let folder = TempDir::new().unwrap();
+    let parts = folder.path().join("project").join("parts");
+    fs::create_dir_all(&parts).unwrap();
+    let texts = [
+        (
+            "x.sweep",
+            "import \"parts/y.sweep\"\nsurface R = (u, v, a)\n",
+        ),
+        ("parts/y.sweep", "import \"z.sweep\"\nlet a = b\n"),
+        ("parts/z.sweep", "let b = c\n"),
+    ];
+    for (name, text) in texts {
+        fs::write(folder.path().join("project").join(name), text).unwrap();
+    }
+    let absolute = fs::canonicalize(&parts).unwrap().join("z.sweep");
+    let given = folder.path().join("project").join("x.sweep");
+    for (directory, file, expected) in [
+        ("", "project/x.sweep", Path::new("project/parts/z.sweep")),
+        ("project", "x.sweep", Path::new("parts/z.sweep")),
+        ("project", "./x.sweep", Path::new("./parts/z.sweep")),
+        ("project/parts", "../x.sweep", Path::new("../parts/z.sweep")),
+        ("", given.to_str().unwrap(), &absolute),
+    ] {
+        let directory = folder.path().join(directory);
+        let output = run(&directory, &["check", file, "--format=json"], "");
+        let first = out(&output).lines().next().unwrap().to_owned();
+        let finding: Value = serde_json::from_str(&first).unwrap();
+        let named = directory.join(finding["file"].as_str().unwrap());
+        let same = fs::canonicalize(named).unwrap();
+        assert_eq!(same, absolute, "{file} {first}");
+        let told = err(&run(&directory, &["check", file], ""));
+        let told = told.replace('\\', "/");
+        let expected = format!("{}:1:9", expected.display()).replace('\\', "/");
+        assert!(told.contains(&expected), "{file} {told}");
+    }
+}
+
+#[test]
 fn limits_may_be_as_high_as_their_numbers_go() {
     let folder = folder(SOUND);
     fs::write(folder.path().join("v.csv"), "a\n2\n").unwrap();
