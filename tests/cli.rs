@@ -301,6 +301,213 @@ fn endless_files_are_read_no_further_than_the_limit() {
     assert_eq!(status(&run(folder.path(), &["check", "/dev/zero"], "")), 4);
 }
 
+#[test]
+fn every_format_that_refuses_a_surface_is_named() {
+    for (text, formats, code, note) in [
+        (
+            "surface R = (u / (1 + 20000000 u), v, u v)",
+            "step,iges,3dm,obj",
+            "E0304",
+            "not written: `step`, `iges`, `3dm`, `obj`\n",
+        ),
+        (
+            "surface R = (1e39 u, 1e39 v, 1e39 u v)",
+            "stl,ply,glb",
+            "E0306",
+            "not written: `stl`, `glb`\n",
+        ),
+        (
+            "surface R = (u, v, u^26)",
+            "step,json",
+            "E0305",
+            "not written: `step`\n",
+        ),
+    ] {
+        let folder = folder(text);
+        let output = run(
+            folder.path(),
+            &["compile", "x.sweep", "--emit", formats],
+            "",
+        );
+        let told = err(&output);
+        assert_eq!(status(&output), 1, "{told}");
+        assert_eq!(told.matches(&format!("error[{code}]")).count(), 1, "{told}");
+        assert!(told.contains(note), "{told}");
+    }
+}
+
+#[test]
+fn a_refused_surface_leaves_out_the_file_of_all() {
+    for (bad, emit, code) in [
+        ("(u^26, v, u)", "step", "E0305"),
+        ("(u^26, v, u)", "iges", "E0305"),
+        ("(1e39 u, v, 0)", "stl", "E0306"),
+    ] {
+        let folder = folder(&format!("surface R = (u, v, u v)\nsurface Z = {bad}\n"));
+        let output = run(folder.path(), &["compile", "x.sweep", "--emit", emit], "");
+        let told = err(&output);
+        assert_eq!(status(&output), 1, "{told}");
+        assert_eq!(told.matches("error[").count(), 1, "{told}");
+        assert!(told.contains(code) && told.contains("x.sweep:2:"), "{told}");
+        let extension = if emit == "iges" { "igs" } else { emit };
+        let expected = ["x.sweep", &format!("x-R.{extension}")];
+        assert_eq!(files(folder.path()), names(&expected));
+    }
+}
+
+#[test]
+fn what_only_the_file_of_all_surfaces_exceeds_is_said_of_it() {
+    let folder = folder("surface R = (u, v, u v)\nsurface S = (-u, v, u v)\n");
+    let arguments = ["compile", "x.sweep", "--emit=glb", "--chord=1/8"];
+    let alone = ["--max-triangles=8"];
+    let output = run(folder.path(), &[&arguments[..], &alone].concat(), "");
+    let told = err(&output);
+    assert_eq!(status(&output), 4, "{told}");
+    let note = "all surfaces in one file are not written: `glb`";
+    assert!(told.contains(note) && !told.contains("note: not"), "{told}");
+    assert_eq!(told.matches("error[").count(), 1, "{told}");
+    let expected = ["x.sweep", "x-R.glb", "x-S.glb"];
+    assert_eq!(files(folder.path()), names(&expected));
+}
+
+#[test]
+fn values_of_parameters_keep_to_the_limits_of_numbers() {
+    let folder = folder(SOUND);
+    for (value, limit, expected, part) in [
+        (
+            "1234",
+            "--max-digits=3",
+            4,
+            "error[E0503]: a number of 4 digits",
+        ),
+        (
+            "1/1234",
+            "--max-digits=3",
+            4,
+            "`--max-digits` raises the limit",
+        ),
+        ("1234", "--max-digits=4", 0, ""),
+        ("1e40", "--max-exponent=3", 4, "error[E0504]"),
+        ("1e40", "--max-exponent=3", 4, "given with `-D a=…`"),
+        ("1e4097", "--max-digits=9", 4, "`--max-exponent`"),
+        ("1e5000", "--max-exponent=10000", 0, ""),
+        ("1_000", "--max-digits=9", 2, "is not an exact number"),
+    ] {
+        for command in ["check", "report", "compile"] {
+            let value = format!("a={value}");
+            let arguments = [command, "x.sweep", "-D", &value, limit];
+            let output = run(folder.path(), &arguments, "");
+            let told = err(&output);
+            // No format but `json` carries so great a number.
+            let refused = expected == 0 && told.contains("E0306");
+            assert!(
+                refused || status(&output) == expected,
+                "{arguments:?} {told}"
+            );
+            assert!(told.contains(part), "{arguments:?} {told}");
+        }
+    }
+    let arguments = [
+        "check",
+        "x.sweep",
+        "--format=json",
+        "-Da=12",
+        "--max-digits=1",
+    ];
+    let output = run(folder.path(), &arguments, "");
+    let finding: Value = serde_json::from_str(&out(&output)).unwrap();
+    assert_eq!(finding["code"], "E0503");
+    assert_eq!(status(&output), 4);
+}
+
+#[test]
+fn imported_files_are_named_from_the_working_directory() {
+    let folder = TempDir::new().unwrap();
+    let parts = folder.path().join("project").join("parts");
+    fs::create_dir_all(&parts).unwrap();
+    let texts = [
+        (
+            "x.sweep",
+            "import \"parts/y.sweep\"\nsurface R = (u, v, a)\n",
+        ),
+        ("parts/y.sweep", "import \"z.sweep\"\nlet a = b\n"),
+        ("parts/z.sweep", "let b = c\n"),
+    ];
+    for (name, text) in texts {
+        fs::write(folder.path().join("project").join(name), text).unwrap();
+    }
+    let absolute = fs::canonicalize(&parts).unwrap().join("z.sweep");
+    let given = folder.path().join("project").join("x.sweep");
+    for (directory, file, expected) in [
+        ("", "project/x.sweep", Path::new("project/parts/z.sweep")),
+        ("project", "x.sweep", Path::new("parts/z.sweep")),
+        ("project", "./x.sweep", Path::new("./parts/z.sweep")),
+        ("project/parts", "../x.sweep", Path::new("../parts/z.sweep")),
+        ("", given.to_str().unwrap(), &absolute),
+    ] {
+        let directory = folder.path().join(directory);
+        let output = run(&directory, &["check", file, "--format=json"], "");
+        let first = out(&output).lines().next().unwrap().to_owned();
+        let finding: Value = serde_json::from_str(&first).unwrap();
+        let named = directory.join(finding["file"].as_str().unwrap());
+        let same = fs::canonicalize(named).unwrap();
+        assert_eq!(same, absolute, "{file} {first}");
+        let told = err(&run(&directory, &["check", file], ""));
+        let told = told.replace('\\', "/");
+        let expected = format!("{}:1:9", expected.display()).replace('\\', "/");
+        assert!(told.contains(&expected), "{file} {told}");
+    }
+}
+
+#[test]
+fn limits_may_be_as_high_as_their_numbers_go() {
+    let folder = folder(SOUND);
+    fs::write(folder.path().join("v.csv"), "a\n2\n").unwrap();
+    let (most, largest) = (usize::MAX.to_string(), u32::MAX.to_string());
+    let long = [
+        "source",
+        "digits",
+        "degree",
+        "terms",
+        "bits",
+        "field-degree",
+    ];
+    let longer = ["triangles", "imports", "variants", "seconds", "memory"];
+    let limits = long.iter().chain(&longer).map(|own| (own, &most));
+    for (limit, value) in limits.chain([(&"exponent", &largest)]) {
+        let limit = format!("--max-{limit}={value}");
+        let arguments = [
+            "compile",
+            "x.sweep",
+            "--list=v.csv",
+            "--emit=json,glb",
+            &limit,
+        ];
+        let output = run(folder.path(), &arguments, "");
+        assert_eq!(status(&output), 0, "{limit} {}", err(&output));
+        let written = files(folder.path());
+        assert!(written.contains("x-a=2-R.json"), "{limit} {written:?}");
+        fs::remove_file(folder.path().join("x-a=2-R.json")).unwrap();
+    }
+    let output = run(
+        folder.path(),
+        &["check", "-", &format!("--max-source={most}")],
+        "?",
+    );
+    assert_eq!(status(&output), 1);
+}
+
+#[test]
+fn a_finding_in_a_very_long_line_is_short() {
+    let text = format!("let a = 1,5 let b = 2,5 # {}\n", "x".repeat(1_000_000));
+    let folder = folder(&text);
+    let output = run(folder.path(), &["check", "x.sweep"], "");
+    let told = err(&output);
+    assert_eq!(status(&output), 1);
+    assert!(told.contains("1.5 let b"), "{told}");
+    assert!(told.len() < 10_000, "{}", told.len());
+}
+
 #[cfg(target_os = "linux")]
 #[test]
 fn names_that_are_not_text_keep_their_bytes() {

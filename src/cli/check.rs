@@ -1,11 +1,12 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use crate::diag::{Code, Diagnostic, render_json};
+use crate::diag::{Code, Diagnostic, Diagnostics, SourceMap, render_json};
 
 use super::arguments::{Arguments, CheckArguments, CheckFormat};
 use super::parallel::Crew;
 use super::progress;
+use super::refusal::Refusal;
 use super::session::{Misuse, Session, assignments};
 use super::status::Status;
 use super::streams::{complain, print, tell};
@@ -19,13 +20,57 @@ struct Checked {
     status: Status,
 }
 
+impl Checked {
+    fn of(
+        diagnostics: &Diagnostics,
+        sources: &SourceMap,
+        format: CheckFormat,
+        voice: Voice,
+    ) -> Self {
+        let mut checked = Self {
+            out: String::new(),
+            err: String::new(),
+            codes: BTreeSet::new(),
+            status: Status::of(diagnostics),
+        };
+        match format {
+            CheckFormat::Text => {
+                checked.err = voice.findings(diagnostics, sources);
+                checked.codes = diagnostics.iter().map(|own| own.code).collect();
+            }
+            CheckFormat::Json => {
+                let lines = voice.told(diagnostics);
+                let lines = lines.map(|own| render_json(own, sources) + "\n");
+                checked.out = lines.collect();
+            }
+        }
+        checked
+    }
+
+    fn refused(refusal: &Refusal, format: CheckFormat, voice: Voice) -> Self {
+        match refusal {
+            Refusal::Findings(findings, sources) => Self::of(findings, sources, format, voice),
+            Refusal::Misuse(Misuse(message)) => Self {
+                out: String::new(),
+                err: format!("sweepc: {message}\n"),
+                codes: BTreeSet::new(),
+                status: Status::Usage,
+            },
+        }
+    }
+}
+
 /// `sweepc check FILE…`
 ///
 /// Files are worked on side by side, and told of in the order in which they are named.
 pub(super) fn run(own: &CheckArguments, arguments: &Arguments, stack: usize) -> Status {
     // What is wrong whatever the files are is said once.
-    if let Err(misuse) = assignments(&arguments.set) {
-        return misuse.complain();
+    let voice = Voice::of(arguments);
+    if let Err(refusal) = assignments(arguments) {
+        let checked = Checked::refused(&refusal, own.format, voice);
+        tell(&checked.err);
+        voice.tell_hint(&checked.codes);
+        return checked.status.max(print(&checked.out));
     }
     if let Err(misuse) = Misuse::of_input(&own.files) {
         return misuse.complain();
@@ -34,7 +79,6 @@ pub(super) fn run(own: &CheckArguments, arguments: &Arguments, stack: usize) -> 
         [file] => progress::begin(&file.display().to_string()),
         files => progress::begin_files(files.len()),
     }
-    let voice = Voice::of(arguments);
     let (mut worst, mut codes) = (Status::Success, BTreeSet::new());
     let work = |index: usize| {
         let checked = check(&own.files[index], own, arguments, voice);
@@ -66,14 +110,7 @@ pub(super) fn run(own: &CheckArguments, arguments: &Arguments, stack: usize) -> 
 fn check(file: &Path, own: &CheckArguments, arguments: &Arguments, voice: Voice) -> Checked {
     let mut session = match Session::open(file, arguments) {
         Ok(session) => session,
-        Err(Misuse(message)) => {
-            return Checked {
-                out: String::new(),
-                err: format!("sweepc: {message}\n"),
-                codes: BTreeSet::new(),
-                status: Status::Usage,
-            };
-        }
+        Err(refusal) => return Checked::refused(&refusal, own.format, voice),
     };
     let sources = &session.sources;
     let diagnostics = &mut session.compilation.diagnostics;
@@ -81,23 +118,7 @@ fn check(file: &Path, own: &CheckArguments, arguments: &Arguments, voice: Voice)
         let message = format!("`{}` declares no surface", file.display());
         diagnostics.push(Diagnostic::global(Code::W1007, message));
     }
-    let mut checked = Checked {
-        out: String::new(),
-        err: String::new(),
-        codes: BTreeSet::new(),
-        status: Status::of(diagnostics),
-    };
-    match own.format {
-        CheckFormat::Text => {
-            checked.err = voice.findings(diagnostics, sources);
-            checked.codes = diagnostics.iter().map(|own| own.code).collect();
-        }
-        CheckFormat::Json => {
-            let lines = voice.told(diagnostics);
-            let lines = lines.map(|own| render_json(own, sources) + "\n");
-            checked.out = lines.collect();
-        }
-    }
+    let mut checked = Checked::of(diagnostics, sources, own.format, voice);
     if voice.is_verbose {
         let lines = session.stopwatch.lines(&file.display().to_string());
         checked.err.push_str(&lines);

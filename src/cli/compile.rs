@@ -35,7 +35,7 @@ fn compile(file: &Path, emit: &Emit, own: &CompileArguments, arguments: &Argumen
     progress::begin(&file_name(file));
     let mut session = match Session::open(file, arguments) {
         Ok(session) => session,
-        Err(misuse) => return misuse.complain(),
+        Err(refusal) => return refusal.complain(Voice::of(arguments)),
     };
     complete(&mut session.options, own);
     require_surfaces(&mut session.compilation, session.readable, file);

@@ -1,3 +1,4 @@
+use std::collections::HashSet;
 use std::ffi::{OsStr, OsString};
 
 use crate::diag::{Code, Diagnostic, Diagnostics, SourceMap};
@@ -6,6 +7,7 @@ use crate::pipeline::{Compilation, Options};
 use crate::report::{Report, render_json};
 
 use super::output::named;
+use super::refused_formats::RefusedFormats;
 use super::session::Misuse;
 
 /// What `--emit` asks for.
@@ -24,6 +26,17 @@ pub(super) struct Product {
     pub(super) bytes: Vec<u8>,
     /// The surface that it holds, if it is the file of one.
     pub(super) surface: Option<String>,
+}
+
+impl Product {
+    /// A file that is not of one surface.
+    fn of_all(stem: &OsStr, ending: &str, bytes: Vec<u8>) -> Self {
+        Self {
+            name: named(stem, ending),
+            bytes,
+            surface: None,
+        }
+    }
 }
 
 impl Emit {
@@ -82,43 +95,47 @@ impl Emit {
         let shown = stem.to_string_lossy();
         let mut files = Vec::new();
         let mut findings = Diagnostics::default();
-        let product = |ending: &str, bytes, surface| Product {
-            name: named(stem, ending),
-            bytes,
-            surface,
-        };
         if let Some(report) = report.filter(|_| self.report) {
             match render_json(report) {
-                Ok(text) => files.push(product(".report.json", text.into_bytes(), None)),
+                Ok(text) => files.push(Product::of_all(stem, ".report.json", text.into_bytes())),
                 Err(error) => findings.push(Diagnostic::global(Code::E0602, error.to_string())),
             }
         }
+        let mut refused = HashSet::new();
         for surface in compilation.sound_surfaces() {
             let span = surface.definition().span;
             let exports = compilation.export(surface, &self.formats, &shown, options);
+            let mut refusals = RefusedFormats::default();
             for (format, result) in exports {
                 match result {
                     Ok(exported) => {
                         findings.extend(exported.warnings.into_iter().map(|own| own.at(span)));
                         let ending = format!("-{}.{}", surface.name(), format.extension);
-                        let name = surface.name().to_owned();
-                        files.push(product(&ending, exported.bytes, Some(name)));
+                        files.push(Product {
+                            surface: Some(surface.name().to_owned()),
+                            ..Product::of_all(stem, &ending, exported.bytes)
+                        });
                     }
-                    Err(finding) => findings.push(*finding),
+                    Err(finding) => refusals.add(format.name, *finding),
                 }
             }
+            refused.extend(refusals.formats());
+            findings.extend(refusals.findings("not written"));
         }
-        let together = compilation.export_together(&self.formats, &shown, options);
-        for (format, result) in together {
+        let mut refusals = RefusedFormats::default();
+        for (format, result) in compilation.export_together(&self.formats, &shown, options) {
             match result {
                 // What is odd about a surface is told with its own file.
                 Ok(exported) => {
                     let ending = format!(".{}", format.extension);
-                    files.push(product(&ending, exported.bytes, None));
+                    files.push(Product::of_all(stem, &ending, exported.bytes));
                 }
-                Err(finding) => findings.push(*finding),
+                // So is what its own file is refused for.
+                Err(_) if refused.contains(format.name) => {}
+                Err(finding) => refusals.add(format.name, *finding),
             }
         }
+        findings.extend(refusals.findings("all surfaces in one file are not written"));
         (files, findings)
     }
 }

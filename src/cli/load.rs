@@ -24,14 +24,13 @@ pub(super) fn load(root: &Path, limits: &Limits) -> Loaded {
     let mut loader = Loader {
         loaded: Loaded::default(),
         folder: PathBuf::new(),
+        shown: PathBuf::new(),
         limits,
         chain: Vec::new(),
     };
     if root == Path::new("-") {
-        let mut bytes = Vec::new();
-        let most = limits.source as u64 + 1;
-        match std::io::stdin().lock().take(most).read_to_end(&mut bytes) {
-            Ok(_) => {
+        match read_from(std::io::stdin().lock(), limits) {
+            Ok(bytes) => {
                 loader.folder = canonical(Path::new("."));
                 loader.parse("<stdin>", &bytes, None);
             }
@@ -44,6 +43,7 @@ pub(super) fn load(root: &Path, limits: &Limits) -> Loaded {
         Ok(bytes) => {
             let path = canonical(root);
             loader.folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
+            loader.shown = shown(root, &loader.folder);
             loader.parse(&name, &bytes, Some(path));
         }
         Err(error) => loader.fail(format!("`{name}` cannot be read: {error}"), None),
@@ -51,11 +51,25 @@ pub(super) fn load(root: &Path, limits: &Limits) -> Loaded {
     loader.loaded
 }
 
+/// The folder of a file as the file names it; a link may lead to another one, named in full.
+fn shown(file: &Path, folder: &Path) -> PathBuf {
+    let named = file.parent().unwrap_or(Path::new(""));
+    if canonical(&Path::new(".").join(named)) == folder {
+        return named.to_path_buf();
+    }
+    folder.to_path_buf()
+}
+
 /// The bytes of a file, but no more than one beyond the limit.
-fn read(path: &Path, limits: &Limits) -> std::io::Result<Vec<u8>> {
+pub(super) fn read(path: &Path, limits: &Limits) -> std::io::Result<Vec<u8>> {
+    read_from(fs::File::open(path)?, limits)
+}
+
+fn read_from(reader: impl Read, limits: &Limits) -> std::io::Result<Vec<u8>> {
+    let most = u64::try_from(limits.largest_source()).unwrap_or(u64::MAX);
     let mut bytes = Vec::new();
-    let file = fs::File::open(path)?;
-    file.take(limits.source as u64 + 1)
+    reader
+        .take(most.saturating_add(1))
         .read_to_end(&mut bytes)?;
     Ok(bytes)
 }
@@ -68,6 +82,8 @@ struct Loader<'a> {
     loaded: Loaded,
     /// The folder that imports must not leave.
     folder: PathBuf,
+    /// That folder as messages show it, from the working directory.
+    shown: PathBuf,
     limits: &'a Limits,
     /// The files that are being read, each imported by the one before.
     chain: Vec<FileId>,
@@ -146,7 +162,7 @@ impl Loader<'_> {
             .iter()
             .position(|own| own.as_deref() == Some(path.as_path()));
         if let Some(known) = known {
-            return self.check_cycle(known, target, span);
+            return self.check_cycle(known, span);
         }
         if self.loaded.documents.len() > self.limits.imports {
             let message = format!("more than {} files are imported", self.limits.imports);
@@ -159,24 +175,22 @@ impl Loader<'_> {
         if !path.is_file() {
             return self.fail(format!("`{target}` is not a file"), Some(span));
         }
+        let inside = path.strip_prefix(&self.folder).unwrap_or(&path);
+        let name = self.shown.join(inside).display().to_string();
         match read(&path, self.limits) {
-            Ok(bytes) => self.parse(target, &bytes, Some(path)),
+            Ok(bytes) => self.parse(&name, &bytes, Some(path)),
             Err(error) => self.fail(format!("`{target}` cannot be read: {error}"), Some(span)),
         }
     }
 
     /// A file may be imported twice, but not by one that it imports itself.
-    fn check_cycle(&mut self, known: usize, target: &str, span: Span) {
+    fn check_cycle(&mut self, known: usize, span: Span) {
         let Some(start) = self.chain.iter().position(|own| own.0 as usize == known) else {
             return;
         };
-        let names = self.chain[start..]
-            .iter()
-            .map(|own| self.loaded.sources.file(*own).name.as_str());
-        let chain = names
-            .chain(std::iter::once(target))
-            .collect::<Vec<_>>()
-            .join(" → ");
+        let circle = self.chain[start..].iter().chain([&self.chain[start]]);
+        let names = circle.map(|own| self.loaded.sources.file(*own).name.as_str());
+        let chain = names.collect::<Vec<_>>().join(" → ");
         let finding = Diagnostic::new(Code::E0604, span, "these files import each other");
         self.loaded.diagnostics.push(finding.note(chain));
     }

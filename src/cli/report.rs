@@ -15,7 +15,7 @@ pub(super) fn run(own: &ReportArguments, arguments: &Arguments) -> Status {
     progress::begin(&file_name(&own.file));
     let mut session = match Session::open(&own.file, arguments) {
         Ok(session) => session,
-        Err(misuse) => return misuse.complain(),
+        Err(refusal) => return refusal.complain(Voice::of(arguments)),
     };
     require_surfaces(&mut session.compilation, session.readable, &own.file);
     let voice = Voice::of(arguments);

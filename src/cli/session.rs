@@ -9,7 +9,9 @@ use crate::syntax::ast::{Declaration, Document};
 use crate::syntax::canonical_name;
 
 use super::arguments::Arguments;
+use super::numeral::numeral;
 use super::parsed::Parsed;
+use super::refusal::Refusal;
 use super::status::Status;
 use super::stopwatch::Stopwatch;
 use super::streams::complain;
@@ -53,7 +55,7 @@ impl Session {
     /// # Errors
     ///
     /// A `-D` or `--surface` that does not fit the file.
-    pub(super) fn open(file: &Path, arguments: &Arguments) -> Result<Self, Misuse> {
+    pub(super) fn open(file: &Path, arguments: &Arguments) -> Result<Self, Refusal> {
         let mut stopwatch = Stopwatch::start();
         let parsed = Parsed::read(file, &arguments.limits());
         stopwatch.lap("read and parsed");
@@ -85,7 +87,7 @@ pub(super) fn options(
     arguments: &Arguments,
     documents: &[Document],
     file: &Path,
-) -> Result<Options, Misuse> {
+) -> Result<Options, Refusal> {
     Ok(Options {
         overrides: overrides(arguments, documents, file)?,
         surface: arguments.surface.clone(),
@@ -98,20 +100,19 @@ pub(super) fn options(
 ///
 /// # Errors
 ///
-/// One that has another form.
-pub(super) fn assignments(given: &[String]) -> Result<Vec<(String, Real)>, Misuse> {
+/// One that has another form, a value beyond the limits of literals.
+pub(super) fn assignments(arguments: &Arguments) -> Result<Vec<(String, Real)>, Refusal> {
+    let limits = arguments.limits();
     let assignment = |own: &String| {
         let Some((name, value)) = own.split_once('=') else {
-            return Err(Misuse(format!("`-D {own}` is not of the form NAME=VALUE")));
+            return Err(Misuse(format!("`-D {own}` is not of the form NAME=VALUE")).into());
         };
-        let Ok(number) = value.trim().parse::<Real>() else {
-            return Err(Misuse(format!(
-                "`{value}` is not an exact number such as 3/2 or 0.25"
-            )));
-        };
-        Ok((canonical_name(name.trim()), number))
+        let name = name.trim();
+        let number = numeral(value, &limits);
+        let number = number.map_err(|own| own.of_option(value, &format!("-D {name}=…")))?;
+        Ok((canonical_name(name), Real::from(number)))
     };
-    given.iter().map(assignment).collect()
+    arguments.set.iter().map(assignment).collect()
 }
 
 /// The values that replace those of parameters, once they and the surface asked for are known to
@@ -120,8 +121,8 @@ fn overrides(
     arguments: &Arguments,
     documents: &[Document],
     file: &Path,
-) -> Result<HashMap<String, Real>, Misuse> {
-    let assignments = assignments(&arguments.set)?;
+) -> Result<HashMap<String, Real>, Refusal> {
+    let assignments = assignments(arguments)?;
     if !documents.is_empty() {
         for (name, _) in &assignments {
             check_parameter(name, documents, file)?;

@@ -27,6 +27,15 @@ pub struct Limits {
     pub syntax_errors: usize,
 }
 
+impl Limits {
+    /// The most bytes that a source file may have: as many as spans can count, however high the
+    /// limit is set.
+    #[must_use]
+    pub fn largest_source(&self) -> usize {
+        self.source.min(u32::MAX as usize - 1)
+    }
+}
+
 impl Default for Limits {
     fn default() -> Self {
         Self {

@@ -6,6 +6,7 @@ mod clipped;
 mod code;
 mod diagnostic;
 mod limits;
+mod preview;
 mod render;
 mod source;
 mod span;

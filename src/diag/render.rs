@@ -4,6 +4,7 @@ use annotate_snippets::{AnnotationKind, Group, Level, Patch, Renderer, Snippet};
 use serde::Serialize;
 
 use super::clipped::clipped;
+use super::preview::Preview;
 use super::{Diagnostic, Severity, SourceMap, Span};
 
 /// How findings are drawn on a terminal.
@@ -51,11 +52,13 @@ pub fn render_text(diagnostic: &Diagnostic, sources: &SourceMap, style: Style) -
     match (&diagnostic.fix, &diagnostic.help) {
         (Some(fix), help) => {
             let text = &sources.file(fix.span.file).text;
-            let patch = Patch::new(visible(fix.span, text), fix.text.as_str());
+            let change = visible(fix.span, text);
+            let preview = Preview::of(with_line_feeds(text), change, &fix.text);
+            let patch = Patch::new(preview.change, preview.replacement);
+            let lines = Snippet::source(preview.text).line_start(preview.first);
             let title = clipped(help.as_deref().unwrap_or("write"));
             groups.push(
-                Group::with_title(Level::HELP.secondary_title(title))
-                    .element(Snippet::source(with_line_feeds(text)).patch(patch)),
+                Group::with_title(Level::HELP.secondary_title(title)).element(lines.patch(patch)),
             );
         }
         (None, Some(help)) => main = main.element(Level::HELP.message(clipped(help))),

@@ -104,10 +104,8 @@ impl Readers {
         let above = |ratio: i64| *greatest > least.times(&Real::from(ratio));
         if above(Context::GREATEST_WEIGHT_RATIO) && !context.any_weight_ratio {
             let message = format!("the weights run from {low} to {high}, a factor above 10^6");
-            let help = format!(
-                "readers of {format} lose accuracy with such weights: restrict the surface to a smaller domain, or give `--allow-weight-ratio`"
-            );
-            return Err(fault(Code::E0304, message, help));
+            let help = "readers lose accuracy with such weights: restrict the surface to a smaller domain, or give `--allow-weight-ratio`";
+            return Err(fault(Code::E0304, message, help.to_owned()));
         }
         Ok(above(LARGE_WEIGHT_RATIO).then(|| {
             let message = format!("the weights run from {low} to {high}, a factor above 10^3");

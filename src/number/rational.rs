@@ -114,6 +114,30 @@ impl Rational {
         })
     }
 
+    /// Reads `7`, `-3/2`, `0.25`, `1.5e-3`; none if it is malformed or an exponent exceeds `limit`
+    /// in absolute value.
+    #[must_use]
+    pub fn from_text(text: &str, limit: u32) -> Option<Self> {
+        let read = |part: &str| {
+            let (sign, digits) = match part.strip_prefix(['-', '−']) {
+                Some(digits) => (-1, digits),
+                None => (1, part.strip_prefix('+').unwrap_or(part)),
+            };
+            if !digits.starts_with(|first: char| first.is_ascii_digit()) {
+                return None;
+            }
+            let value = Self::from_literal(digits, limit)?;
+            Some(Self::from(sign).times(&value))
+        };
+        match text.split_once('/') {
+            None => read(text.trim()),
+            Some((numerator, denominator)) => {
+                let denominator = read(denominator.trim())?.inverse()?;
+                Some(read(numerator.trim())?.times(&denominator))
+            }
+        }
+    }
+
     /// n / 10ᵏ in lowest terms: only twos and fives can cancel.
     fn over_power_of_ten(mut numerator: Integer, exponent: u32) -> Self {
         if Zero::is_zero(&numerator) {
@@ -237,29 +261,12 @@ impl fmt::Display for Rational {
     }
 }
 
-/// Reads `7`, `-3/2`, `0.25`, `1.5e-3`.
+/// As [`Rational::from_text`], with exponents up to 4096.
 impl FromStr for Rational {
     type Err = ();
 
     fn from_str(text: &str) -> Result<Self, ()> {
-        let read = |part: &str| {
-            let (sign, digits) = match part.strip_prefix(['-', '−']) {
-                Some(digits) => (-1, digits),
-                None => (1, part.strip_prefix('+').unwrap_or(part)),
-            };
-            if !digits.starts_with(|first: char| first.is_ascii_digit()) {
-                return Err(());
-            }
-            let value = Self::from_literal(digits, 4_096).ok_or(())?;
-            Ok(Self::from(sign).times(&value))
-        };
-        match text.split_once('/') {
-            None => read(text.trim()),
-            Some((numerator, denominator)) => {
-                let denominator = read(denominator.trim())?.inverse().ok_or(())?;
-                Ok(read(numerator.trim())?.times(&denominator))
-            }
-        }
+        Self::from_text(text, 4_096).ok_or(())
     }
 }
 

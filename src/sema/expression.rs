@@ -20,7 +20,9 @@ impl<'a> Lowerer<'a> {
         }
         let message = format!("definitions nest this expression more than {DEEPEST} levels deep");
         let finding = self.finding(scope, Code::E0502, expr.span, message);
-        Err(self.report(finding))
+        Err(self.report(finding.help(
+            "no flag raises this limit: build the expression in fewer steps that stand on one another",
+        )))
     }
 
     fn value_of_kind(&mut self, expr: &'a Expr, scope: &Scope<'a>) -> Lowered<Value> {

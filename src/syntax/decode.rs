@@ -18,7 +18,7 @@ use crate::diag::{Code, Diagnostic, Limits};
 /// assert_eq!(refused.code, Code::E0001);
 /// ```
 pub fn decode(bytes: &[u8], name: &str, limits: &Limits) -> Result<String, Box<Diagnostic>> {
-    let largest = limits.source.min(u32::MAX as usize - 1);
+    let largest = limits.largest_source();
     if bytes.len() > largest {
         let message = format!("`{name}` has {} bytes, the limit is {largest}", bytes.len());
         return Err(Box::new(

@@ -448,6 +448,17 @@ fn lists_that_are_none() {
         ("", 1, &["E0605"], "lists no variant"),
         ("d,h\n1,1\n", 1, &["E0112"], "there are: d, e"),
         ("d\n\u{0}\n", 1, &["E0605"], ""),
+        ("d\n1e5000\n", 4, &["E0504"], "`--max-exponent`"),
+        ("d\nx\n\"2\n", 1, &["E0605", "E0605"], "l.csv:3:1"),
+        (
+            "\u{feff}d\n\"2\n",
+            1,
+            &["E0605"],
+            "this quote is never closed",
+        ),
+        ("\"d\n2\n", 1, &["E0605"], "l.csv:1:1"),
+        ("\"d\", \"e\"\n1,2\n", 1, &["E0605"], "remove the space"),
+        ("d,e\n1, \"2\"\n", 1, &["E0605"], "remove the space"),
     ] {
         fs::write(folder.path().join("l.csv"), list).unwrap();
         let (_, err) = compile(folder.path(), &["x.sweep", "--list", "l.csv"], status);
@@ -461,6 +472,22 @@ fn lists_that_are_none() {
     let (_, err) = compile(folder.path(), &["x.sweep", "--list", "no.csv"], 3);
     assert!(err.contains("error[E0601]"), "{err}");
     assert_eq!(names(folder.path()), set(&["x.sweep", "l.csv"]));
+}
+
+#[test]
+fn ranges_keep_to_the_limits_of_numbers() {
+    let folder = folder(&[("x.sweep", RAIL)]);
+    for (arguments, status, part) in [
+        ("d=1:1234:1234 --max-digits=3", 4, "error[E0503]"),
+        ("d=1:2:1e-40 --max-exponent=3", 4, "error[E0504]"),
+        ("d=1:2:1e-5000", 4, "given with `--grid d=…`"),
+        ("d=1:1e5000:1e5000 --max-exponent=5000", 0, ""),
+    ] {
+        let arguments = format!("x.sweep --emit table --grid {arguments}");
+        let arguments: Vec<&str> = arguments.split(' ').collect();
+        let (_, err) = compile(folder.path(), &arguments, status);
+        assert!(err.contains(part), "{arguments:?}: {err}");
+    }
 }
 
 #[test]

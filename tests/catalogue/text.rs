@@ -162,6 +162,17 @@ pub(crate) const ROWS: &[Row] = &[
         &["E0502"],
         &["`--max-nesting`"],
     ),
+    // definitions that stand on one another without end
+    row(
+        9,
+        Made(|| {
+            let next = |own| format!("let f{}(u) = 1/(2 + f{own}(u))\n", own + 1);
+            "let f0(u) = u\n".to_owned() + &(0..2_100).map(next).collect::<String>()
+        }),
+        4,
+        &["E0502"],
+        &["4096 levels", "no flag raises this limit"],
+    ),
     // a million terms
     row(
         10,

@@ -1,7 +1,10 @@
 use crate::number::{Field, Rational};
 use crate::syntax::canonical_name;
 
+use crate::cli::numeral::numeral;
+use crate::cli::refusal::Refusal;
 use crate::cli::session::Misuse;
+use crate::diag::Limits;
 
 /// The values START, START + STEP, … of a parameter, as far as END.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -18,8 +21,9 @@ impl Axis {
     ///
     /// # Errors
     ///
-    /// Another form, and a step that does not lead from the start to the end.
-    pub(super) fn read(text: &str) -> Result<Self, Misuse> {
+    /// Another form, a number beyond the limits of literals, and a step that does not lead from
+    /// the start to the end.
+    pub(super) fn read(text: &str, limits: &Limits) -> Result<Self, Refusal> {
         let parts = text.split_once('=').map(|(name, range)| {
             let numbers: Vec<&str> = range.split(':').collect();
             (name.trim(), numbers)
@@ -28,23 +32,20 @@ impl Axis {
             Some((*name, <[&str; 3]>::try_from(numbers.as_slice()).ok()?))
         }) else {
             let form = "NAME=START:END:STEP, such as d=0:1:1/100";
-            return Err(Misuse(format!("`--grid {text}` is not of the form {form}")));
+            return Err(Misuse(format!("`--grid {text}` is not of the form {form}")).into());
         };
         let number = |own: &str| {
-            own.trim().parse::<Rational>().map_err(|()| {
-                Misuse(format!(
-                    "`{own}` is not an exact number such as 3/2 or 0.25"
-                ))
-            })
+            let option = || format!("--grid {name}=…");
+            numeral(own, limits).map_err(|fault| fault.of_option(own, &option()))
         };
         let [start, end, step] = [number(start)?, number(end)?, number(step)?];
         let way = end.minus(&start);
         let Some(steps) = step.inverse().map(|own| way.times(&own)) else {
-            return Err(Misuse(format!("the step of `--grid {text}` is 0")));
+            return Err(Misuse(format!("the step of `--grid {text}` is 0")).into());
         };
         if steps.sign().is_lt() {
             let message = format!("the step of `--grid {text}` leads away from the end");
-            return Err(Misuse(message));
+            return Err(Misuse(message).into());
         }
         let steps = steps.numerator().div_floor(steps.denominator());
         Ok(Self {
@@ -67,7 +68,11 @@ mod tests {
     use super::*;
 
     fn values(text: &str) -> Result<Vec<String>, String> {
-        let axis = Axis::read(text).map_err(|Misuse(own)| own)?;
+        let axis = Axis::read(text, &Limits::default());
+        let axis = axis.map_err(|own| match own {
+            Refusal::Misuse(Misuse(own)) => own,
+            Refusal::Findings(own, _) => format!("{own:?}"),
+        })?;
         Ok((0..axis.count)
             .map(|own| axis.value(own).to_string())
             .collect())
@@ -104,7 +109,7 @@ mod tests {
 
     #[test]
     fn a_count_beyond_all_bounds() {
-        let count = Axis::read("d=0:1e30:1e-30").map(|own| own.count);
-        assert_eq!(count, Ok(usize::MAX));
+        let axis = Axis::read("d=0:1e30:1e-30", &Limits::default());
+        assert_eq!(axis.map(|own| own.count).ok(), Some(usize::MAX));
     }
 }

@@ -6,6 +6,7 @@ use crate::cli::compile::{complete, folder};
 use crate::cli::emit::Emit;
 use crate::cli::output::{file_name, stem};
 use crate::cli::parsed::Parsed;
+use crate::cli::refusal::Refusal;
 use crate::cli::session::{Misuse, check_parameter, curves, options, parameters, surfaces};
 use crate::diag::{Diagnostics, Limits};
 use crate::pipeline::Options;
@@ -50,7 +51,7 @@ impl Input {
         own: &CompileArguments,
         arguments: &Arguments,
         findings: &mut Diagnostics,
-    ) -> Result<Self, Misuse> {
+    ) -> Result<Self, Refusal> {
         let parsed = Parsed::read(file, &arguments.limits());
         let documents = parsed.documents.as_slice();
         let mut options = options(arguments, documents, file)?;

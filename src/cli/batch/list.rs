@@ -1,14 +1,16 @@
 use std::collections::HashMap;
-use std::fs::File;
-use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use csv::{ByteRecord, ReaderBuilder, Trim};
 
+use crate::cli::load::read;
+use crate::cli::numeral::numeral;
 use crate::diag::{Code, Diagnostic, Diagnostics, FileId, Limits, SourceMap, Span};
 use crate::number::Rational;
 use crate::sema::nearest;
 use crate::syntax::{canonical_name, decode};
+
+use super::quotes::OpenQuote;
 
 /// Values of parameters, a variant a line.
 #[derive(Debug, Default)]
@@ -34,13 +36,7 @@ impl List {
         };
         let mut findings = Diagnostics::default();
         let name = path.display().to_string();
-        let bytes = File::open(path).and_then(|file| {
-            let mut bytes = Vec::new();
-            file.take(limits.source as u64 + 1)
-                .read_to_end(&mut bytes)?;
-            Ok(bytes)
-        });
-        match bytes.map(|bytes| decode(&bytes, &name, limits)) {
+        match read(path, limits).map(|bytes| decode(&bytes, &name, limits)) {
             Ok(Ok(text)) => {
                 let file = list.sources.add(name, text.as_str());
                 list.parse(&text, file, limits, &mut findings);
@@ -58,10 +54,31 @@ impl List {
     }
 
     fn parse(&mut self, text: &str, file: FileId, limits: &Limits, findings: &mut Diagnostics) {
-        let text = text
-            .strip_prefix('\u{feff}')
-            .map_or((0, text), |rest| (3, rest));
-        let (shift, text) = text;
+        let shift = if text.starts_with('\u{feff}') { 3 } else { 0 };
+        let open = OpenQuote::find(&text[shift..]);
+        let end = open.map_or(text.len(), |own| shift + own.line);
+        self.read_lines(&text[shift..end], shift, file, limits, findings);
+        if let Some(OpenQuote { at, .. }) = open {
+            let span = Span::new(file, shift + at, shift + at + 1);
+            let finding = Diagnostic::new(Code::E0605, span, "this quote is never closed");
+            findings.push(finding);
+        }
+        if !findings.has_errors() && self.rows.is_empty() {
+            let message = format!("`{}` lists no variant", self.path.display());
+            let finding = Diagnostic::global(Code::E0605, message);
+            findings.push(finding.help("write names in the first line, then a variant a line"));
+        }
+    }
+
+    /// Reads lines that begin at an offset of the file.
+    fn read_lines(
+        &mut self,
+        text: &str,
+        shift: usize,
+        file: FileId,
+        limits: &Limits,
+        findings: &mut Diagnostics,
+    ) {
         let mut reader = ReaderBuilder::new()
             .has_headers(false)
             .flexible(true)
@@ -87,7 +104,7 @@ impl List {
                 self.take_header(&fields, span, findings);
                 continue;
             }
-            match self.row(&fields, limits) {
+            match self.row(&fields, span, limits) {
                 Ok(row) => {
                     let variant = self.rows.len() + 1;
                     if let Some(first) = seen.insert(row.clone(), variant) {
@@ -97,16 +114,11 @@ impl List {
                     }
                     self.rows.push(row);
                 }
-                Err((code, message)) => findings.push(Diagnostic::new(code, span, message)),
+                Err(finding) => findings.push(*finding),
             }
             if findings.len() >= limits.syntax_errors {
                 return;
             }
-        }
-        if !findings.has_errors() && self.rows.is_empty() {
-            let message = format!("`{}` lists no variant", self.path.display());
-            let finding = Diagnostic::global(Code::E0605, message);
-            findings.push(finding.help("write names in the first line, then a variant a line"));
         }
     }
 
@@ -119,21 +131,27 @@ impl List {
                 findings.push(Diagnostic::new(Code::E0605, span, message));
             }
         }
+        for field in fields.iter().filter(|own| own.contains('"')) {
+            let message = format!("`{field}` is no name: a quote is part of it");
+            let finding = Diagnostic::new(Code::E0605, span, message);
+            findings.push(help_with_quotes(finding, field));
+        }
     }
 
-    fn row(&self, fields: &[String], limits: &Limits) -> Result<Vec<Rational>, (Code, String)> {
+    fn row(
+        &self,
+        fields: &[String],
+        span: Span,
+        limits: &Limits,
+    ) -> Result<Vec<Rational>, Box<Diagnostic>> {
         if fields.len() != self.names.len() {
             let (found, wanted) = (fields.len(), self.names.len());
             let message = format!("this line has {found} values, the first line {wanted} names");
-            return Err((Code::E0605, message));
+            return Err(Box::new(Diagnostic::new(Code::E0605, span, message)));
         }
         let number = |own: &String| {
-            if own.len() > limits.digits {
-                let message = format!("a number of more than {} digits", limits.digits);
-                return Err((Code::E0503, message + "; `--max-digits` raises the limit"));
-            }
-            let message = || format!("`{own}` is not an exact number such as 3/2 or 0.25");
-            own.parse().map_err(|()| (Code::E0605, message()))
+            numeral(own, limits)
+                .map_err(|fault| Box::new(help_with_quotes(fault.at(span, own), own)))
         };
         fields.iter().map(number).collect()
     }
@@ -154,5 +172,14 @@ impl List {
             });
         }
         findings
+    }
+}
+
+/// Says why a quote is part of a value that begins with it.
+fn help_with_quotes(finding: Diagnostic, value: &str) -> Diagnostic {
+    if value.starts_with('"') {
+        finding.help("a quote opens a value only right behind the comma: remove the space between")
+    } else {
+        finding
     }
 }

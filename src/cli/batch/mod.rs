@@ -8,6 +8,7 @@ mod axis;
 mod input;
 mod list;
 mod output;
+mod quotes;
 mod row;
 mod table;
 mod variant;
@@ -21,6 +22,7 @@ use super::arguments::{Arguments, CompileArguments};
 use super::emit::Emit;
 use super::parallel::Crew;
 use super::progress;
+use super::refusal::Refusal;
 use super::session::Misuse;
 use super::status::Status;
 use super::voice::Voice;
@@ -28,7 +30,7 @@ use super::voice::Voice;
 use input::{Input, check_names};
 use output::Output;
 use variant::Variant;
-use variants::{Refusal, Variants};
+use variants::Variants;
 
 /// `sweepc compile FILE… --grid NAME=START:END:STEP --list CSV`
 pub(super) fn run(
@@ -40,11 +42,7 @@ pub(super) fn run(
     let voice = Voice::of(arguments);
     let (variants, inputs) = match prepare(emit, own, arguments) {
         Ok(prepared) => prepared,
-        Err(Refusal::Misuse(misuse)) => return misuse.complain(),
-        Err(Refusal::Findings(findings, sources)) => {
-            voice.tell(&findings, &sources);
-            return Status::of(&findings);
-        }
+        Err(refusal) => return refusal.complain(voice),
     };
     let count = inputs.last().map_or(0, |own| own.first + own.count);
     progress::begin_variants(count);

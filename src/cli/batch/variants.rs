@@ -1,6 +1,7 @@
 use crate::cli::arguments::{Arguments, CompileArguments};
+use crate::cli::refusal::Refusal;
 use crate::cli::session::{Misuse, assignments};
-use crate::diag::{Code, Diagnostic, Diagnostics, Limits, SourceMap};
+use crate::diag::{Code, Diagnostic, Limits};
 use crate::number::Rational;
 
 use super::axis::Axis;
@@ -21,25 +22,12 @@ pub(super) struct Variants {
     by_values: bool,
 }
 
-/// Why there are no variants.
-#[derive(Debug)]
-pub(super) enum Refusal {
-    Misuse(Misuse),
-    Findings(Diagnostics, SourceMap),
-}
-
-impl From<Misuse> for Refusal {
-    fn from(own: Misuse) -> Self {
-        Self::Misuse(own)
-    }
-}
-
 impl Variants {
     /// The variants that the command line asks for, once their number is known to be allowed.
     pub(super) fn of(own: &CompileArguments, arguments: &Arguments) -> Result<Self, Refusal> {
         let limits = arguments.limits();
-        let axes: Result<Vec<Axis>, Misuse> = own.grid.iter().map(|own| Axis::read(own)).collect();
-        let axes = axes?;
+        let axes = own.grid.iter().map(|own| Axis::read(own, &limits));
+        let axes = axes.collect::<Result<Vec<Axis>, Refusal>>()?;
         check_count(own.files.len(), axes.iter().map(|own| own.count), &limits)?;
         let list = own.list.as_deref().map(|path| List::read(path, &limits));
         let list = list.transpose();
@@ -50,7 +38,7 @@ impl Variants {
         let named = list.iter().flat_map(|own| own.names.iter());
         let named = named.chain(axes.iter().map(|own| &own.name));
         let names: Vec<String> = named.cloned().collect();
-        let set = assignments(&arguments.set)?;
+        let set = assignments(arguments)?;
         for (index, name) in names.iter().enumerate() {
             if names[..index].contains(name) || set.iter().any(|(own, _)| own == name) {
                 return Err(Misuse(format!("`{name}` is given its values twice")).into());
@@ -141,7 +129,5 @@ fn check_count(
         format!("{count} variants; {} are allowed", limits.variants)
     };
     let finding = Diagnostic::global(Code::E0510, message);
-    let mut findings = Diagnostics::default();
-    findings.push(finding.help("raise the limit with `--max-variants`"));
-    Err(Refusal::Findings(findings, SourceMap::default()))
+    Err(finding.help("raise the limit with `--max-variants`").into())
 }
