@@ -182,7 +182,7 @@ fn normals_do_not_depend_on_the_form_of_the_weights() {
 #[test]
 fn the_size_of_a_surface_is_not_that_of_its_control_points() {
     // The twelfth Chebyshev polynomial on [0, 1] has values within 1, and coefficients of thousands.
-    let text = "let t(u) = 2u - 1\nlet f(u) = 32 t(u)^6 - 48 t(u)^4 + 18 t(u)^2 - 1\n\
+    let text = "let a(u) = 2u - 1\nlet f(u) = 32 a(u)^6 - 48 a(u)^4 + 18 a(u)^2 - 1\n\
                 surface R = (u, v, 2 f(u)^2 - 1)\n";
     let triangles = |chord: &[&str]| {
         let folder = tempfile::TempDir::new().unwrap();
