@@ -5,7 +5,7 @@ use crate::curve::{Curve, Parameter};
 use crate::diag::{Code, Diagnostic, Diagnostics, FileId, Limits, SourceMap, Span};
 use crate::number::{Real, Tower, Unit};
 use crate::sweep::{Scalar, SweptSurface};
-use crate::syntax::ast::{Declaration, Document, Expr, Item, Name, Role};
+use crate::syntax::ast::{Broken, Declaration, Document, Expr, Item, Name, Role};
 
 use super::Program;
 use super::definition::{Definition, DefinitionForm};
@@ -81,8 +81,8 @@ pub(super) struct Lowerer<'a> {
     pub(super) cusps_reported: Vec<String>,
     /// Shared zeros and cusps of curves.
     pub(super) shared_zeros: Vec<(Parameter, (Real, Real))>,
-    /// Names whose declarations could not be parsed; their uses are not reported.
-    pub(super) broken: Vec<&'a str>,
+    /// What could not be parsed; uses of it are not reported.
+    pub(super) broken: Vec<&'a Broken>,
 }
 
 impl<'a> Lowerer<'a> {
@@ -102,7 +102,6 @@ impl<'a> Lowerer<'a> {
                 .documents
                 .iter()
                 .flat_map(|own| &own.broken)
-                .map(|own| own.text.as_str())
                 .collect(),
         }
     }

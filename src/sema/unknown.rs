@@ -28,7 +28,7 @@ impl Lowerer<'_> {
     /// Reports a name that nothing declares, with the way out where one is known.
     pub(super) fn report_unknown(&mut self, name: &Name, scope: &Scope<'_>) -> Reported {
         let text = name.text.as_str();
-        if self.is_full() || self.broken.contains(&text) {
+        if self.is_full() || self.broken.iter().any(|own| own.name.text == text) {
             return Reported;
         }
         let lost = self.lost_keyword(name.span);

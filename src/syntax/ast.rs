@@ -13,9 +13,19 @@ pub struct Document {
     pub items: Vec<Item>,
     /// Its comments, from `#` to the end of the line, in the order of the text.
     pub comments: Vec<Span>,
-    /// The names of the declarations that could not be parsed, so that a use of one need not be
-    /// reported as unknown.
-    pub broken: Vec<Name>,
+    /// What the declarations would declare that could not be parsed, so that a use of it need not
+    /// be reported as unknown.
+    pub broken: Vec<Broken>,
+}
+
+/// What a declaration that could not be parsed would declare, as far as that is known.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Broken {
+    /// The name.
+    pub name: Name,
+    /// What kind of curve it stands for, if it stands for one. Its properties may be used without
+    /// its name.
+    pub role: Option<Role>,
 }
 
 /// A declaration and the text it spans.
