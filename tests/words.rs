@@ -86,3 +86,88 @@ fn what_a_broken_declaration_declares_is_not_reported() {
         ),
     ]);
 }
+
+#[test]
+fn names_without_a_blank_between_them_are_a_product() {
+    hold(&[
+        (
+            Code::E0101,
+            "surface R = (u, v, uv)",
+            "did you mean `u v`?",
+            "surface R = (u, v, u v)",
+        ),
+        (
+            Code::E0101,
+            "let a = 2\nlet b = 3\nsurface R = (u, v, ab^2 u)",
+            "did you mean `a b`?",
+            "let a = 2\nlet b = 3\nsurface R = (u, v, a b^2 u)",
+        ),
+        (
+            Code::E0101,
+            "let a = 2\nlet r_1 = 3\nsurface R = (u, v, 5u / ar_1)",
+            "did you mean `a r_1`?",
+            "let a = 2\nlet r_1 = 3\nsurface R = (u, v, 5u / (a r_1))",
+        ),
+        (
+            Code::E0101,
+            "let a = 2\nlet b = 3\nsurface R = (u, v, u^ab)",
+            "did you mean `a b`?",
+            "",
+        ),
+        (
+            Code::E0101,
+            "profile p(u) in xz = (u, u^2)\nsurface R = (u, v, vx(u))",
+            "did you mean `v x`?",
+            "profile p(u) in xz = (u, u^2)\nsurface R = (u, v, v x(u))",
+        ),
+        (
+            Code::E0101,
+            "construction f(q) = q(v) + uk + q.x(v) j\ncurve c(v) in xy = (v, 0)\nsurface R = f(c)",
+            "did you mean `u k`?",
+            "construction f(q) = q(v) + u k + q.x(v) j\ncurve c(v) in xy = (v, 0)\nsurface R = f(c)",
+        ),
+        // in two ways, `a b c` and `ab c`; two vectors; `v` is no parameter here
+        (
+            Code::E0101,
+            "let a = 2\nlet ab = 2\nlet b = 3\nlet c = 3\nsurface R = (u, v, abc)",
+            "did you mean `ab`?",
+            "let a = 2\nlet ab = 2\nlet b = 3\nlet c = 3\nsurface R = (u, v, ab)",
+        ),
+        (
+            Code::E0101,
+            "surface R = (u, v, 0) + jk",
+            "`jk` is not declared\n",
+            "",
+        ),
+        (
+            Code::E0101,
+            "let f(u) = uv\nsurface R = (u, v, f(u))",
+            "`uv` is not declared\n",
+            "",
+        ),
+    ]);
+}
+
+#[test]
+fn a_letter_that_is_written_twice_is_that_letter() {
+    hold(&[
+        (
+            Code::E0101,
+            "profile p(u) in xz = (u, u^2)\nsurface R = (u, v, zz(u))",
+            "did you mean `z`?",
+            "profile p(u) in xz = (u, u^2)\nsurface R = (u, v, z(u))",
+        ),
+        (
+            Code::E0101,
+            "profile p(u) in xz = (u, u^2)\nsurface R = pp(u) + v j",
+            "did you mean `p`?",
+            "profile p(u) in xz = (u, u^2)\nsurface R = p(u) + v j",
+        ),
+        (
+            Code::E0101,
+            "let a = (1, 2, 3)\nsurface R = (u, v, 0) + aa",
+            "did you mean `a`?",
+            "let a = (1, 2, 3)\nsurface R = (u, v, 0) + a",
+        ),
+    ]);
+}

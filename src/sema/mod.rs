@@ -12,6 +12,7 @@ mod curve;
 mod definition;
 mod expectation;
 mod expression;
+mod joined;
 mod lowerer;
 mod names;
 mod numeral;

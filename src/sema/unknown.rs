@@ -48,7 +48,17 @@ impl Lowerer<'_> {
             finding.help(format!(
                 "numbers carry no unit; `unit {text}` holds for the file"
             ))
-        } else if let Some(near) = self.nearest(text, scope) {
+        } else if let Some(joined) = self.joined(name, scope) {
+            let finding = finding.help(format!("did you mean `{}`?", joined.product));
+            match joined.edit {
+                Some(edit) => finding.fix(name.span, edit),
+                None => finding,
+            }
+        } else if let Some(single) = self.repeated(name, scope) {
+            finding
+                .help(format!("did you mean `{single}`?"))
+                .fix(name.span, single)
+        } else if let Some(near) = self.nearest(name, scope) {
             match self.misspelt_declaration(name, &near) {
                 Some(declared) => finding
                     .help(format!(
@@ -116,9 +126,10 @@ impl Lowerer<'_> {
     }
 
     /// The nearest spelling that means something, if it is near.
-    fn nearest(&self, name: &str, scope: &Scope<'_>) -> Option<String> {
+    fn nearest(&self, name: &Name, scope: &Scope<'_>) -> Option<String> {
+        let text = name.text.as_str();
         if scope.frame.is_none()
-            && let Some(property) = spelling::property_misspelt(name)
+            && let Some(property) = spelling::property_misspelt(text)
         {
             return Some(property.to_owned());
         }
@@ -126,12 +137,15 @@ impl Lowerer<'_> {
         let local: Vec<String> = frame
             .map(|frame| frame.bindings.borrow().keys().cloned().collect())
             .unwrap_or_default();
+        // what the language has of its own are functions
+        let applied = self.behind(name).starts_with('(');
         let fixed = BUILT_IN
             .into_iter()
             .chain(kinds::ALL.iter().map(|kind| kind.name))
-            .chain(QUALITIES.into_iter().filter(|_| frame.is_none()));
+            .chain(QUALITIES.into_iter().filter(|_| frame.is_none()))
+            .filter(|_| applied);
         let declared = self.definitions.keys().copied().chain(fixed);
         let known = local.into_iter().chain(declared.map(str::to_owned));
-        spelling::nearest(name, known)
+        spelling::nearest(text, known)
     }
 }
