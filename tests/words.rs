@@ -171,3 +171,21 @@ fn a_letter_that_is_written_twice_is_that_letter() {
         ),
     ]);
 }
+
+#[test]
+fn relations_are_written_in_their_order() {
+    hold(&[
+        (
+            Code::E0006,
+            "surface R = (u, v, 0)\nexpect 3 => 2",
+            "write `>=`",
+            "surface R = (u, v, 0)\nexpect 3 >= 2",
+        ),
+        (
+            Code::E0006,
+            "surface R = (u, v, 0)\nexpect 1 =< 2",
+            "write `<=`",
+            "surface R = (u, v, 0)\nexpect 1 <= 2",
+        ),
+    ]);
+}

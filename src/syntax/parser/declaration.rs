@@ -254,23 +254,30 @@ fn relation(input: Stream<'_>) -> Parsed<'_, Relation> {
         TokenKind::LessOrEqual => Relation::LessOrEqual,
         TokenKind::Greater => Relation::Greater,
         TokenKind::GreaterOrEqual => Relation::GreaterOrEqual,
-        TokenKind::Equal => {
-            let rest = match after.kind() {
-                TokenKind::Equal => after.take_from(1),
-                _ => after,
-            };
-            let span = input.span_until(rest);
-            let found = clipped(input.source.slice(span));
-            let message = format!("an expectation compares with `==`, found `{found}`");
-            let finding = Diagnostic::new(Code::E0006, span, message);
-            input
-                .source
-                .report(finding.help("write `==`").fix(span, "=="));
-            return Ok((rest, Relation::Equal));
-        }
+        TokenKind::Equal => return Ok(relation_meant(input)),
         _ => return expected(input, "a relation"),
     };
     Ok((after, relation))
+}
+
+/// What a relation that begins with `=` was meant to be: `=`, `= =`, `=>`, `=<`.
+fn relation_meant(input: Stream<'_>) -> (Stream<'_>, Relation) {
+    let after = input.take_from(1);
+    let behind = after.take_from(1);
+    let (rest, meant, relation) = match after.kind() {
+        TokenKind::Greater => (behind, ">=", Relation::GreaterOrEqual),
+        TokenKind::Less => (behind, "<=", Relation::LessOrEqual),
+        TokenKind::Equal => (behind, "==", Relation::Equal),
+        _ => (after, "==", Relation::Equal),
+    };
+    let span = input.span_until(rest);
+    let found = clipped(input.source.slice(span));
+    let message = format!("an expectation compares with `{meant}`, found `{found}`");
+    let finding = Diagnostic::new(Code::E0006, span, message);
+    input
+        .source
+        .report(finding.help(format!("write `{meant}`")).fix(span, meant));
+    (rest, relation)
 }
 
 /// `"file.sweep"`
