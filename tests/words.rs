@@ -189,3 +189,27 @@ fn relations_are_written_in_their_order() {
         ),
     ]);
 }
+
+#[test]
+fn claims_are_not_negated() {
+    hold(&[
+        (
+            Code::E0107,
+            "surface R = (u, v, 0)\nexpect regular(R) == false",
+            "help: a claim cannot be negated\n",
+            "",
+        ),
+        (
+            Code::E0107,
+            "surface R = (u, v, 0)\nexpect 1 != positive_weights(R)",
+            "help: a claim cannot be negated\n",
+            "",
+        ),
+        (
+            Code::E0107,
+            "surface R = (u, v, 0)\nexpect regular(R) != false",
+            "write `expect regular(R)`",
+            "surface R = (u, v, 0)\nexpect regular(R)",
+        ),
+    ]);
+}

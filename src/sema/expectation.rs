@@ -83,18 +83,20 @@ impl<'a> Lowerer<'a> {
         let message = format!("`{written}` is a statement of its own, it compares with nothing");
         let span = left.span.to(right.span);
         let finding = Diagnostic::new(Code::E0107, span, message);
-        let finding = finding.help(format!("write `expect {written}`"));
-        let affirmed = match relation {
-            ast::Relation::Equal => ["true", "1"],
-            ast::Relation::NotEqual => ["false", "0"],
-            _ => return Some(finding),
+        let other = self.sources.map.slice(other.span);
+        let (affirms, denies) = match relation {
+            ast::Relation::Equal => (["true", "1"], ["false", "0"]),
+            ast::Relation::NotEqual => (["false", "0"], ["true", "1"]),
+            _ => return Some(finding.help(format!("write `expect {written}`"))),
         };
-        Some(
-            match affirmed.contains(&self.sources.map.slice(other.span)) {
-                true => finding.fix(span, written),
-                false => finding,
-            },
-        )
+        if denies.contains(&other) {
+            return Some(finding.help("a claim cannot be negated"));
+        }
+        let finding = finding.help(format!("write `expect {written}`"));
+        Some(match affirms.contains(&other) {
+            true => finding.fix(span, written),
+            false => finding,
+        })
     }
 
     fn quality(&mut self, expr: &'a Expr, surfaces: &[SweptSurface]) -> Lowered<Claim> {
