@@ -213,3 +213,45 @@ fn claims_are_not_negated() {
         ),
     ]);
 }
+
+#[test]
+fn expectations_are_not_joined() {
+    hold(&[
+        (
+            Code::E0006,
+            "surface R = (u, v, 0)\nexpect 1 == 1 and 2 == 2",
+            "two expectations",
+            "surface R = (u, v, 0)\nexpect 1 == 1\nexpect 2 == 2",
+        ),
+        (
+            Code::E0006,
+            "let a = 2\nsurface R = (u, v, 0)\nexpect a <= 3 # first\n  and a > 1",
+            "write an `expect` for each",
+            "let a = 2\nsurface R = (u, v, 0)\nexpect a <= 3 # first\n  expect a > 1",
+        ),
+        (
+            Code::E0107,
+            "surface R = (u, v, 0)\nexpect regular(R) and positive_weights(R)",
+            "two expectations",
+            "surface R = (u, v, 0)\nexpect regular(R)\nexpect positive_weights(R)",
+        ),
+        (
+            Code::E0107,
+            "surface R = (u, v, 0)\nexpect bidegree(R) == (1, 1) and regular(R)",
+            "two expectations",
+            "surface R = (u, v, 0)\nexpect bidegree(R) == (1, 1)\nexpect regular(R)",
+        ),
+        (
+            Code::E0006,
+            "surface R = (u, v, 0)\nexpect 1 == 1 or 2 == 2",
+            "one relation stands in an `expect`",
+            "",
+        ),
+        (
+            Code::E0008,
+            "let and = 2\nsurface R = (u, v, 0)\nexpect 4 == and 2",
+            "write `* 2`",
+            "let and = 2\nsurface R = (u, v, 0)\nexpect 4 == and * 2",
+        ),
+    ]);
+}

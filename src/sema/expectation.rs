@@ -32,6 +32,11 @@ impl<'a> Lowerer<'a> {
         surfaces: &[SweptSurface],
     ) -> Lowered<Expectation> {
         self.mentioned.clear();
+        for side in std::iter::once(left).chain(relation.map(|(_, right)| right)) {
+            if let Some(finding) = self.conjunction(side) {
+                return Err(self.report(finding));
+            }
+        }
         let claim = match relation {
             None => self.quality(left, surfaces)?,
             Some((relation, right)) => {
@@ -59,6 +64,40 @@ impl<'a> Lowerer<'a> {
             surfaces: mentioned,
             claim,
         })
+    }
+
+    /// E0107 where `and` stands between two claims, as a factor that nothing declares.
+    fn conjunction(&self, side: &Expr) -> Option<Diagnostic> {
+        let ExprKind::Product(factors) = &side.kind else {
+            return None;
+        };
+        let mut pairs = factors.windows(2);
+        let (before, and) = pairs.find_map(|pair| match &pair[1].1.kind {
+            ExprKind::Reference(Reference { name, .. })
+            | ExprKind::Apply {
+                function: Reference { name, .. },
+                ..
+            } if name.text == "and" && name.span.start == pair[1].1.span.start => {
+                Some((pair[0].1.span, name.span))
+            }
+            _ => None,
+        })?;
+        if self.definitions.contains_key("and") {
+            return None;
+        }
+        let message = "`and` does not join claims: these are two expectations";
+        let finding = Diagnostic::new(Code::E0107, and, message).help("write an `expect` for each");
+        let between = Span {
+            start: before.end,
+            end: and.start,
+            ..and
+        };
+        Some(
+            match self.sources.map.slice(between).contains(['\n', '\r']) {
+                true => finding.fix(and, "expect"),
+                false => finding.fix(between.to(and), "\nexpect"),
+            },
+        )
     }
 
     /// E0107 where a predicate is compared with a truth value: `regular(R) == true`.

@@ -140,6 +140,18 @@ pub enum TokenKind {
     End,
 }
 
+impl TokenKind {
+    /// Whether it compares the sides of an expectation.
+    #[must_use]
+    pub fn is_relation(self) -> bool {
+        use TokenKind::*;
+        matches!(
+            self,
+            DoubleEqual | NotEqual | Less | LessOrEqual | Greater | GreaterOrEqual
+        )
+    }
+}
+
 /// A token and its bytes `start..end` in the text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Token {

@@ -5,7 +5,7 @@ use nom::{Input, Parser};
 
 use super::expression::{expression, unquoted};
 use super::fault::{Parsed, decimal_comma, expected, told};
-use super::hint::{CURVE_PARAMETER, PLANE, TIMES, start_of};
+use super::hint::{CURVE_PARAMETER, PLANE, TIMES, end_of, start_of};
 use super::piece::{Brackets, bracketed, comma, keyword, name, token};
 use super::stream::{Source, Stream};
 use crate::diag::{Code, Diagnostic, Span};
@@ -337,7 +337,10 @@ pub(super) fn stray(input: Stream<'_>) -> Option<Diagnostic> {
             return Some(unexpected(format!("{found} closes nothing")));
         }
         Equal => missing,
-        DoubleEqual | NotEqual | Less | LessOrEqual | Greater | GreaterOrEqual => {
+        relation if relation.is_relation() => {
+            if let Some(finding) = conjunction(source, input.at) {
+                return Some(finding);
+            }
             if let Some(start) = line_of_its_own(source, input.at) {
                 let first = source.token(start);
                 let message = format!("expected a declaration, found {}", source.described(first));
@@ -364,6 +367,21 @@ pub(super) fn stray(input: Stream<'_>) -> Option<Diagnostic> {
         _ => return Some(unexpected(format!("unexpected {found}"))),
     };
     Some(unexpected(format!("unexpected {found}")).help(help))
+}
+
+/// E0006 at the `and` between the relation at an index and the one before it.
+fn conjunction(source: &Source<'_>, at: usize) -> Option<Diagnostic> {
+    let first = source.relation_before(at)?;
+    let is_and = |own: &usize| source.written(source.token(*own)) == "and";
+    let and = (first + 1..at).rev().find(is_and)?;
+    let span = source.span(source.token(and));
+    let message = "`and` does not join relations: these are two expectations";
+    let finding = Diagnostic::new(Code::E0006, span, message).help("write an `expect` for each");
+    let before = source.span(source.token(and - 1));
+    Some(match source.begins_line(and) {
+        true => finding.fix(span, "expect"),
+        false => finding.fix(end_of(before).to(span), "\nexpect"),
+    })
 }
 
 /// The first token of the line of a token, if that is a name or an opener that multiplies, perhaps

@@ -174,6 +174,14 @@ impl<'a> Source<'a> {
         None
     }
 
+    /// The relation before an index in the `expect` around it.
+    pub(super) fn relation_before(&self, index: usize) -> Option<usize> {
+        let start = (0..index).rev().find(|own| self.begins_declaration(*own))?;
+        let is_expectation = self.kind(start) == TokenKind::Keyword(Keyword::Expect);
+        let mut before = (start..index).rev();
+        before.find(|own| is_expectation && self.kind(*own).is_relation())
+    }
+
     /// Whether the innermost bracket that is open before an index is a `[`.
     pub(super) fn is_in_list(&self, index: usize) -> bool {
         let mut closed = 0_usize;
