@@ -255,3 +255,31 @@ fn expectations_are_not_joined() {
         ),
     ]);
 }
+
+#[test]
+fn an_error_of_syntax_hides_what_the_rest_of_its_declaration_means() {
+    hold(&[
+        (
+            Code::E0006,
+            "profile p(u) in xz = (u, u)\nsurface R = (u, v, 0) + x(u)) k",
+            "`)` closes nothing",
+            "",
+        ),
+        (
+            Code::E0006,
+            "surface R = u, v, 3",
+            "a point is written `(a, b)`",
+            "",
+        ),
+        (
+            Code::E0006,
+            "surface R = (u, v, 0)\nexpect R == 1 # no\n  == R",
+            "one relation",
+            "",
+        ),
+    ]);
+    let compiled = compile("let a = 2 + k\nlet b = 1 ]\nsurface R = (u, v, 0) + a\nlet c = b + k");
+    let codes = compiled.codes();
+    // the declarations beside it are read as ever
+    assert_eq!(codes, [Code::E0106, Code::E0006, Code::E0106]);
+}

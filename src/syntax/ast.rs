@@ -31,7 +31,7 @@ pub struct Broken {
 /// A declaration and the text it spans.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Item {
-    /// From the keyword to the last token.
+    /// From the keyword to the last token, or to the first one behind it that has no place there.
     pub span: Span,
     /// What is declared.
     pub declaration: Declaration,

@@ -14,7 +14,7 @@ use self::declaration::{
 use self::fault::Fault;
 use self::hint::start_of;
 use self::stream::{Source, Stream};
-use super::ast::{Broken, Document};
+use super::ast::{Broken, Document, Item};
 use super::lexer::{Token, TokenKind, clipped, tokenize};
 use crate::diag::{Code, Diagnostic, Diagnostics, FileId, Limits};
 
@@ -82,7 +82,9 @@ fn item<'a>(input: Stream<'a>, document: &mut Document) -> Stream<'a> {
                         .extend(broken::declared(input).into_iter().chain([own]));
                 }
                 None => {
-                    document.items.push(item);
+                    // what has no place behind a declaration is an error of that declaration
+                    let span = item.span.to(rest.span());
+                    document.items.push(Item { span, ..item });
                     report_stray(rest);
                 }
             }
