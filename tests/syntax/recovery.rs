@@ -144,3 +144,21 @@ fn a_declaration_after_an_unfinished_one_is_read() {
     let codes = diagnostics.errors().map(|error| error.code);
     assert_eq!(codes.collect::<Vec<_>>(), [Code::E0006, Code::E0005]);
 }
+
+#[test]
+fn a_keyword_that_touches_a_dot_begins_no_declaration() {
+    one(Code::E0006, "import «b».sweep\nlet a = 1", "a string");
+    one(
+        Code::E0103,
+        "let a = c.«sweep»\nlet b = 1",
+        "`sweep` is a keyword",
+    );
+    let (document, diagnostics) = parsed("import ../b.sweep # c\nlet a = 1\nlet b = c.\nlet d = 2");
+    let fix = diagnostics.iter().next().unwrap().fix.clone().unwrap();
+    assert_eq!(
+        (fix.span.range(), fix.text.as_str()),
+        (7..17, "\"../b.sweep\"")
+    );
+    let shown = show_document(&document);
+    assert_eq!(shown, "(let a 1)\n(let d 2)\n");
+}

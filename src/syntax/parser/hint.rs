@@ -105,6 +105,7 @@ fn edit(source: &Source<'_>, at: usize, what: &'static str) -> Option<Edit> {
         }
         (Colon, "`=`") => replaced(span, "="),
         (Prime, "a string") => quoted(source, at),
+        (Name | Dot | Slash, "a string") => path(source, at),
         (Equal | Keyword(_), "`]`") => replaced(end_of(previous), "]"),
         (Name, PLANE) => {
             let lower = source.written(token).to_ascii_lowercase();
@@ -165,6 +166,16 @@ fn quoted(source: &Source<'_>, at: usize) -> Option<Edit> {
     let inner = inner(opening, closing).filter(|own| !own.contains('"'))?;
     let span = source.span(opening).to(source.span(closing));
     Some((span, format!("\"{inner}\"")))
+}
+
+/// The name of a `.sweep` file in double quotes where it stands without.
+fn path(source: &Source<'_>, at: usize) -> Option<Edit> {
+    let span = source.span(source.token(at));
+    let line = source.text.get(span.start as usize..)?.lines().next()?;
+    let name = line.split('#').next()?.trim_end();
+    let end = span.start.checked_add(u32::try_from(name.len()).ok()?)?;
+    let is_name = name.ends_with(".sweep") && !name.contains(char::is_whitespace);
+    (is_name && !name.contains('"')).then(|| (Span { end, ..span }, format!("\"{name}\"")))
 }
 
 /// The edit where a bracket is closed by one of the other kind, or by that of the bracket around

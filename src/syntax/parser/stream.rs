@@ -122,12 +122,15 @@ impl<'a> Source<'a> {
     }
 
     /// Whether a keyword stands where its author meant a name: a name is due, and what follows is
-    /// an operator or a closing bracket, with which no declaration goes on.
+    /// an operator or a closing bracket, with which no declaration goes on; or it touches a dot.
     pub(super) fn is_misused_keyword(&self, index: usize) -> bool {
         use TokenKind::*;
         let Keyword(keyword) = self.kind(index) else {
             return false;
         };
+        if self.kind_before(index) == Dot && self.touches_next(index.wrapping_sub(1)) {
+            return true;
+        }
         let name_is_due = !matches!(
             self.kind_before(index),
             End | Unknown
