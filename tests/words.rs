@@ -283,3 +283,28 @@ fn an_error_of_syntax_hides_what_the_rest_of_its_declaration_means() {
     // the declarations beside it are read as ever
     assert_eq!(codes, [Code::E0106, Code::E0006, Code::E0106]);
 }
+
+#[test]
+fn a_character_that_has_no_place_is_one_error() {
+    hold(&[
+        (
+            Code::E0002,
+            "surface R = (u, v, \0)",
+            "U+0000 has no place",
+            "",
+        ),
+        (Code::E0002, "surface R = (u, v, $)", "`$`", ""),
+        (
+            Code::E0002,
+            "let a\u{1b} = 1\nsurface R = (u, v, a)",
+            "U+001B has no place",
+            "",
+        ),
+        (
+            Code::E0002,
+            "surface R =\u{c}(u, v, 0)",
+            "U+000C has no place",
+            "surface R = (u, v, 0)",
+        ),
+    ]);
+}

@@ -480,7 +480,7 @@ impl Lexer<'_> {
                 Some((end, text)) => finding.fix(Span::new(self.file, self.at, end), text),
                 None => finding,
             });
-            if !c.is_control() {
+            if !is_blank(c) {
                 self.emit(TokenKind::Unknown, end);
             }
             return;
@@ -522,10 +522,15 @@ impl Lexer<'_> {
             '⅔' => fraction("(2/3)"),
             '¼' => fraction("(1/4)"),
             '¾' => fraction("(3/4)"),
-            '\u{B}' | '\u{C}' => fraction(" "),
+            _ if is_blank(c) => fraction(" "),
             _ => None,
         }
     }
+}
+
+/// Whether a character that has no place in the language separates tokens all the same.
+fn is_blank(c: char) -> bool {
+    matches!(c, '\u{B}' | '\u{C}')
 }
 
 /// E0003 without its help line.
