@@ -308,3 +308,64 @@ fn a_character_that_has_no_place_is_one_error() {
         ),
     ]);
 }
+
+#[test]
+fn words_of_the_language_are_known_where_they_have_no_place() {
+    let side = "stands only as a side of an `expect`";
+    hold(&[
+        (
+            Code::E0107,
+            "surface R = (u, v, 0)\nlet q = bidegree(R)",
+            side,
+            "",
+        ),
+        (
+            Code::E0107,
+            "surface R = (u, v, 0)\nexpect bidegree(R).x == 1",
+            side,
+            "",
+        ),
+        (
+            Code::E0107,
+            "surface R = (u, v, 0)\nexpect 2 common_factor(R) == 2",
+            side,
+            "",
+        ),
+        (
+            Code::E0107,
+            "surface R = (u, v, 0)\nexpect bidegree == (1, 1)",
+            side,
+            "",
+        ),
+        (
+            Code::E0107,
+            "surface R = (u, v, 0)\nexpect regular(R) == regular(R)",
+            "write an `expect` for each",
+            "",
+        ),
+        (
+            Code::E0107,
+            "surface R = (u, v, 0)\nlet q = regular(R)",
+            "stands only as an `expect` of its own",
+            "",
+        ),
+        (
+            Code::E0107,
+            "surface R = (u, v, 0)\nlet b = bezier",
+            "`bezier` makes a curve, it is no value",
+            "",
+        ),
+        (
+            Code::E0107,
+            "surface R = (u, v, 0)\nlet b = sqrt + 1",
+            "the function `sqrt` needs its arguments",
+            "",
+        ),
+        (
+            Code::E0110,
+            "surface R = (u, v, 0)\nlet b = ph_spline",
+            "not in this version",
+            "",
+        ),
+    ]);
+}

@@ -116,7 +116,8 @@ impl<'a> Lowerer<'a> {
         let (quality, other) = match (is_quality(left), is_quality(right)) {
             (true, false) => (left, right),
             (false, true) => (right, left),
-            _ => return None,
+            (true, true) => (left, right),
+            (false, false) => return None,
         };
         let written = self.sources.map.slice(quality.span);
         let message = format!("`{written}` is a statement of its own, it compares with nothing");
@@ -130,6 +131,9 @@ impl<'a> Lowerer<'a> {
         };
         if denies.contains(&other) {
             return Some(finding.help("a claim cannot be negated"));
+        }
+        if is_quality(left) && is_quality(right) {
+            return Some(finding.help("write an `expect` for each"));
         }
         let finding = finding.help(format!("write `expect {written}`"));
         Some(match affirms.contains(&other) {
@@ -329,7 +333,7 @@ fn relation_of(relation: ast::Relation) -> Relation {
 }
 
 /// The predicate of that name.
-fn quality_of(name: &str) -> Option<Quality> {
+pub(super) fn quality_of(name: &str) -> Option<Quality> {
     match name {
         "rational_offset" => Some(Quality::RationalOffset),
         "positive_weights" => Some(Quality::PositiveWeights),
