@@ -369,3 +369,45 @@ fn words_of_the_language_are_known_where_they_have_no_place() {
         ),
     ]);
 }
+
+#[test]
+fn a_property_is_given_to_a_curve_that_is_there() {
+    hold(&[
+        (
+            Code::E0105,
+            "curve g(u) in xy = line((0, 0), (3, 4))\nsurface R = g(u) + v n(u)",
+            "name the curve: `g.n(…)`",
+            "curve g(u) in xy = line((0, 0), (3, 4))\nsurface R = g(u) + v g.n(u)",
+        ),
+        (
+            Code::E0105,
+            "curve g(u) in xy = (u, u^2)\ncurve h(u) in xy = (u, u^3)\nsurface R = g(u) + v x(u) k",
+            "name the curve: `g.x(…)` or `h.x(…)`",
+            "",
+        ),
+        (
+            Code::E0105,
+            "surface R = (u, v, x(u))",
+            "declare it: `profile p(u) in xz = …`",
+            "",
+        ),
+        (
+            Code::E0105,
+            "sweep c(v) in xy = (v, v^2)\nsurface R = c(v) + x(u) k",
+            "declare it: `profile p(u) in xz = …`",
+            "",
+        ),
+        (
+            Code::E0105,
+            "curve g(u) in xy = (u, u^2)\nsurface R = g(u) + v k + x(1) k",
+            "write `g.x(…)`",
+            "curve g(u) in xy = (u, u^2)\nsurface R = g(u) + v k + g.x(1) k",
+        ),
+        (
+            Code::E0105,
+            "surface R = (u, v, x(u + v))",
+            "declare it: `curve c(v) in xy = …`, and write `c.x(…)`",
+            "",
+        ),
+    ]);
+}
