@@ -5,7 +5,7 @@ use nom::{Input, Parser};
 use super::fault::{Parsed, expected, told};
 use super::hint::{end_of, start_of};
 use super::piece::{Brackets, bracketed, comma, name, nested, token, too_deep};
-use super::stream::Stream;
+use super::stream::{NEAR, Stream};
 use crate::diag::{Code, Diagnostic};
 use crate::syntax::ast::{Argument, Expr, ExprKind, ProductOp, Reference, Sign};
 use crate::syntax::lexer::TokenKind;
@@ -115,6 +115,7 @@ fn is_before_second_relation(input: Stream<'_>) -> bool {
     input.previous().kind == TokenKind::Name
         && source.relation_before(input.at).is_some()
         && (input.at..source.tokens.len())
+            .take(NEAR)
             .take_while(|own| !source.begins_declaration(*own))
             .any(|own| source.kind(own).is_relation())
 }

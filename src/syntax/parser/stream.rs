@@ -8,6 +8,9 @@ use crate::diag::{Diagnostic, FileId, Limits, Severity, Span};
 use crate::syntax::ast::Name;
 use crate::syntax::lexer::{Keyword, Token, TokenKind, clipped, name_text};
 
+/// How many tokens a finding looks back or ahead at most where it may be made for every token.
+pub(super) const NEAR: usize = 200;
+
 /// What all parsers of one file share.
 pub(super) struct Source<'a> {
     pub(super) file: FileId,
@@ -177,9 +180,10 @@ impl<'a> Source<'a> {
         None
     }
 
-    /// The relation before an index in the `expect` around it.
+    /// The relation before an index in the `expect` around it, if that begins near enough.
     pub(super) fn relation_before(&self, index: usize) -> Option<usize> {
-        let start = (0..index).rev().find(|own| self.begins_declaration(*own))?;
+        let mut near = (index.saturating_sub(NEAR)..index).rev();
+        let start = near.find(|own| self.begins_declaration(*own))?;
         let is_expectation = self.kind(start) == TokenKind::Keyword(Keyword::Expect);
         let mut before = (start..index).rev();
         before.find(|own| is_expectation && self.kind(*own).is_relation())
