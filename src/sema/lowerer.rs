@@ -1,11 +1,11 @@
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::rc::Rc;
 
 use crate::curve::{Curve, Parameter};
 use crate::diag::{Code, Diagnostic, Diagnostics, FileId, Limits, SourceMap, Span};
 use crate::number::{Real, Tower, Unit};
 use crate::sweep::{Scalar, SweptSurface};
-use crate::syntax::ast::{Broken, Declaration, Document, Expr, Item, Name, Role};
+use crate::syntax::ast::{Declaration, Document, Expr, Item, Name, Role};
 
 use super::Program;
 use super::definition::{Definition, DefinitionForm};
@@ -81,12 +81,15 @@ pub(super) struct Lowerer<'a> {
     pub(super) cusps_reported: Vec<String>,
     /// Shared zeros and cusps of curves.
     pub(super) shared_zeros: Vec<(Parameter, (Real, Real))>,
-    /// What could not be parsed; uses of it are not reported.
-    pub(super) broken: Vec<&'a Broken>,
+    /// Names whose declarations could not be parsed; their uses are not reported.
+    pub(super) broken: BTreeSet<&'a str>,
+    /// What kinds of curves could not be parsed; uses of their properties are not reported.
+    pub(super) broken_roles: HashSet<Role>,
 }
 
 impl<'a> Lowerer<'a> {
     fn new(sources: &'a Sources<'a>) -> Self {
+        let broken = || sources.documents.iter().flat_map(|own| &own.broken);
         Self {
             sources,
             tower: Tower::new(sources.limits.field_degree),
@@ -98,11 +101,8 @@ impl<'a> Lowerer<'a> {
             mentioned: Vec::new(),
             cusps_reported: Vec::new(),
             shared_zeros: Vec::new(),
-            broken: sources
-                .documents
-                .iter()
-                .flat_map(|own| &own.broken)
-                .collect(),
+            broken: broken().map(|own| own.name.text.as_str()).collect(),
+            broken_roles: broken().filter_map(|own| own.role).collect(),
         }
     }
 

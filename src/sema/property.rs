@@ -123,7 +123,7 @@ impl<'a> Lowerer<'a> {
                 self.property(&curve, function, at, span, scope)
             }
             // the curve that is meant may be the one that could not be read
-            Err(_) if self.broken.iter().any(|own| own.role == Some(role)) => Err(Reported),
+            Err(_) if self.broken_roles.contains(&role) => Err(Reported),
             Err(0) => {
                 let message = format!("`{text}` needs a {what}, and the file has none");
                 let finding = self.finding(scope, Code::E0105, function.span, message);

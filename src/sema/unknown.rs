@@ -20,7 +20,7 @@ impl Lowerer<'_> {
     /// Reports a name that nothing declares, with the way out where one is known.
     pub(super) fn report_unknown(&mut self, name: &Name, scope: &Scope<'_>) -> Reported {
         let text = name.text.as_str();
-        if self.is_full() || self.broken.iter().any(|own| own.name.text == text) {
+        if self.is_full() || self.broken.contains(text) {
             return Reported;
         }
         let lost = self.lost_keyword(name.span);
@@ -30,13 +30,13 @@ impl Lowerer<'_> {
         }
         let finding = match self.misplaced(name, scope) {
             Some(finding) => finding,
-            None => self.undeclared(name, lost.map(|(_, keyword)| keyword), scope),
+            None => self.not_declared(name, lost.map(|(_, keyword)| keyword), scope),
         };
         self.report(finding)
     }
 
     /// E0101; `lost` is the keyword that the name was probably meant to be.
-    fn undeclared(&self, name: &Name, lost: Option<&'static str>, scope: &Scope<'_>) -> Diagnostic {
+    fn not_declared(&self, name: &Name, lost: Option<&'static str>, scope: &Scope<'_>) -> Diagnostic {
         let text = name.text.as_str();
         let message = format!("`{text}` is not declared");
         let finding = self.finding(scope, Code::E0101, name.span, message);
