@@ -411,3 +411,36 @@ fn a_property_is_given_to_a_curve_that_is_there() {
         ),
     ]);
 }
+
+#[test]
+fn names_of_constructions_are_checked_used_or_not() {
+    hold(&[
+        (
+            Code::E0101,
+            "construction f(p) = p(u) + nosuch(v) k\nsurface R = (u, v, 0)",
+            "`nosuch` is not declared\n --> test.sweep:1:28",
+            "",
+        ),
+        (
+            Code::E0101,
+            "construction f(factor) = q k\n  where q = factr u,\n        r = v\nsurface R = (u, v, 0)",
+            "did you mean `factor`?",
+            "construction f(factor) = q k\n  where q = factor u,\n        r = v\nsurface R = (u, v, 0)",
+        ),
+        // once, however often it is used
+        (
+            Code::E0101,
+            "construction f(a) = (u, v, a no_such.x)\nsurface R = f(1)\nsurface S = f(2)",
+            "`no_such` is not declared\n --> test.sweep:1:30",
+            "",
+        ),
+    ]);
+    let sound =
+        "construction f(p, q) = turn(p).x k + p.x(u) i + q'(v) + r + length(p) a * dot(i, q(v)) k
+  where r = q.n(v)
+construction g(p) = f(p, p) + h(p)
+construction h(p) = p(u)
+let a = 2
+surface R = (u, v, 0)";
+    assert_eq!(compile(sound).codes(), []);
+}

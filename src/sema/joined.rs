@@ -100,8 +100,7 @@ impl Lowerer<'_> {
             return match binding {
                 Binding::Curve(_) | Binding::Function(_) => Some(Factor::Function),
                 Binding::Value(value) => Some(factor_of(&value)),
-                Binding::Pending(_) | Binding::InProgress => Some(Factor::Scalar),
-                Binding::Failed => None,
+                Binding::Pending(_) | Binding::InProgress | Binding::Failed => Some(Factor::Scalar),
             };
         }
         if let Some(parameter) = parameter_of(name) {

@@ -85,6 +85,8 @@ pub(super) struct Lowerer<'a> {
     pub(super) broken: BTreeSet<&'a str>,
     /// What kinds of curves could not be parsed; uses of their properties are not reported.
     pub(super) broken_roles: HashSet<Role>,
+    /// Where names stand in constructions that have been reported as undeclared.
+    pub(super) undeclared: BTreeSet<Span>,
 }
 
 impl<'a> Lowerer<'a> {
@@ -103,6 +105,7 @@ impl<'a> Lowerer<'a> {
             shared_zeros: Vec::new(),
             broken: broken().map(|own| own.name.text.as_str()).collect(),
             broken_roles: broken().filter_map(|own| own.role).collect(),
+            undeclared: BTreeSet::new(),
         }
     }
 
@@ -245,6 +248,7 @@ impl<'a> Lowerer<'a> {
             tower: self.tower.clone(),
             ..Program::default()
         };
+        self.check_names_of_constructions();
         self.check_every_definition();
         program.curves = self.curves(root);
         for item in &root.items {

@@ -23,6 +23,7 @@ mod property;
 mod scope;
 mod spelling;
 mod surface;
+mod undeclared;
 mod unknown;
 mod value;
 

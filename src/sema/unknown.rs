@@ -20,7 +20,8 @@ impl Lowerer<'_> {
     /// Reports a name that nothing declares, with the way out where one is known.
     pub(super) fn report_unknown(&mut self, name: &Name, scope: &Scope<'_>) -> Reported {
         let text = name.text.as_str();
-        if self.is_full() || self.broken.contains(text) {
+        let told = self.undeclared.contains(&name.span);
+        if told || self.is_full() || self.broken.contains(text) {
             return Reported;
         }
         let lost = self.lost_keyword(name.span);
@@ -36,7 +37,12 @@ impl Lowerer<'_> {
     }
 
     /// E0101; `lost` is the keyword that the name was probably meant to be.
-    fn not_declared(&self, name: &Name, lost: Option<&'static str>, scope: &Scope<'_>) -> Diagnostic {
+    fn not_declared(
+        &self,
+        name: &Name,
+        lost: Option<&'static str>,
+        scope: &Scope<'_>,
+    ) -> Diagnostic {
         let text = name.text.as_str();
         let message = format!("`{text}` is not declared");
         let finding = self.finding(scope, Code::E0101, name.span, message);

@@ -217,6 +217,14 @@ pub struct Reference {
     pub span: Span,
 }
 
+impl Reference {
+    /// The name that stands first: `c` of `c.σ`, `f` of `f'`.
+    #[must_use]
+    pub fn first(&self) -> &Name {
+        self.qualifier.as_deref().unwrap_or(&self.name)
+    }
+}
+
 /// An argument, with its label if it has one: `branch: best`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Argument {
