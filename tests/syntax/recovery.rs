@@ -114,6 +114,7 @@ fn names_of_broken_declarations_are_kept() {
     assert_eq!(names("proflie p(u) = a"), ("p".to_owned(), 0));
     assert_eq!(names("b = 2\nlet c = 3"), ("b".to_owned(), 1));
     assert_eq!(names("let a = )\nlett b = 2"), ("a b".to_owned(), 0));
+    assert_eq!(names("unit mm\nb = 2\nlet c = 3"), ("b".to_owned(), 2));
     // nothing of the line went into the declaration before
     assert_eq!(
         names("import \"a\"\nlett b = 2\nunit mm\nlett c = 2"),

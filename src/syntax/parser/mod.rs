@@ -64,7 +64,9 @@ fn item<'a>(input: Stream<'a>, document: &mut Document) -> Stream<'a> {
     match declaration(input) {
         Ok((rest, item)) => {
             let rest = without_semicolons(rest);
-            if is_boundary(source, rest.at) {
+            // behind a value a name would be its next factor
+            let begins_anew = rest.kind() == TokenKind::Name && source.begins_line(rest.at);
+            if begins_anew || is_boundary(source, rest.at) {
                 match broken::before_keyword(rest) {
                     Some(own) => document
                         .broken
