@@ -269,6 +269,18 @@ fn an_error_of_syntax_hides_what_the_rest_of_its_declaration_means() {
             Code::E0006,
             "surface R = u, v, 3",
             "a point is written `(a, b)`",
+            "surface R = (u, v, 3)",
+        ),
+        (
+            Code::E0006,
+            "profile p(u) in xz = u, (u - 1)^2 # a parabola\nsurface R = p(u) + v j",
+            "a point is written `(a, b)`",
+            "profile p(u) in xz = (u, (u - 1)^2) # a parabola\nsurface R = p(u) + v j",
+        ),
+        (
+            Code::E0006,
+            "surface R = (u, v, 0), k",
+            "a point is written `(a, b)`",
             "",
         ),
         (

@@ -5,7 +5,7 @@ use nom::{Input, Parser};
 
 use super::expression::{expression, unquoted};
 use super::fault::{Parsed, decimal_comma, expected, told};
-use super::hint::{CURVE_PARAMETER, PLANE, TIMES, end_of, start_of};
+use super::hint::{CURVE_PARAMETER, PLANE, TIMES, end_of, point_without_parentheses, start_of};
 use super::piece::{Brackets, bracketed, comma, keyword, name, token};
 use super::stream::{Source, Stream};
 use crate::diag::{Code, Diagnostic, Span};
@@ -329,10 +329,7 @@ pub(super) fn stray(input: Stream<'_>) -> Option<Diagnostic> {
     let missing = MISSING_KEYWORD;
     let help = match input.kind() {
         Unknown => return None,
-        Comma => match decimal_comma(source, input.at) {
-            Some(finding) => return Some(finding),
-            None => "a point is written `(a, b)`",
-        },
+        Comma => return Some(stray_comma(source, input.at)),
         CloseParenthesis | CloseBracket => {
             return Some(unexpected(format!("{found} closes nothing")));
         }
@@ -367,6 +364,20 @@ pub(super) fn stray(input: Stream<'_>) -> Option<Diagnostic> {
         _ => return Some(unexpected(format!("unexpected {found}"))),
     };
     Some(unexpected(format!("unexpected {found}")).help(help))
+}
+
+/// E0007, or E0006 at a comma behind a value.
+fn stray_comma(source: &Source<'_>, at: usize) -> Diagnostic {
+    if let Some(finding) = decimal_comma(source, at) {
+        return finding;
+    }
+    let span = source.span(source.token(at));
+    let finding = Diagnostic::new(Code::E0006, span, "unexpected `,`");
+    let finding = finding.help("a point is written `(a, b)`");
+    match point_without_parentheses(source, at) {
+        Some((span, text)) => finding.fix(span, text),
+        None => finding,
+    }
 }
 
 /// E0006 at the `and` between the relation at an index and the one before it.

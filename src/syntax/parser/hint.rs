@@ -197,6 +197,40 @@ pub(super) fn closing_edit(
     }
 }
 
+/// The point in parentheses that the value of a declaration was meant to be, where its first comma
+/// is at an index: `surface R = u, v, 0`.
+pub(super) fn point_without_parentheses(source: &Source<'_>, at: usize) -> Option<Edit> {
+    use TokenKind::*;
+    let start = (0..at).rev().find(|own| source.begins_declaration(*own))?;
+    let equal = (start..at).find(|own| source.kind(*own) == Equal)?;
+    let in_plane = (start..equal).any(|own| source.kind(own) == Keyword(self::Keyword::In));
+    let entries = match source.kind(start) {
+        Keyword(self::Keyword::Let) => 2..=3,
+        Keyword(self::Keyword::Surface) => 3..=3,
+        Keyword(self::Keyword::Profile | self::Keyword::Sweep | self::Keyword::Curve) => {
+            if in_plane { 2..=2 } else { 3..=3 }
+        }
+        _ => return None,
+    };
+    let (mut depth, mut commas, mut end) = (0_usize, 0_usize, equal + 1);
+    while source.kind(end) != End && !source.begins_declaration(end) {
+        match source.kind(end) {
+            OpenParenthesis | OpenBracket => depth += 1,
+            CloseParenthesis | CloseBracket => depth = depth.checked_sub(1)?,
+            Comma if depth == 0 && source.kind(end + 1) == Comma => return None,
+            Comma if depth == 0 => commas += 1,
+            Unknown | Text | Equal | Colon | Semicolon => return None,
+            kind if kind.is_relation() => return None,
+            _ => {}
+        }
+        end += 1;
+    }
+    let whole = depth == 0 && source.kind_before(end) != Comma && entries.contains(&(commas + 1));
+    let first = source.span(source.token(equal + 1));
+    let value = first.to(source.span(source.token(end - 1)));
+    whole.then(|| (value, format!("({})", source.slice(value))))
+}
+
 /// How many parentheses, and how many square brackets, are opened and not closed in the
 /// declaration around an index. Where it is not 0, more is wrong than what was noticed first.
 fn surplus(source: &Source<'_>, at: usize) -> (i64, i64) {
