@@ -148,7 +148,11 @@ fn a_declaration_after_an_unfinished_one_is_read() {
 
 #[test]
 fn a_keyword_that_touches_a_dot_begins_no_declaration() {
-    one(Code::E0006, "import «b».sweep\nlet a = 1", "a string");
+    one(
+        Code::E0006,
+        "import «b».sweep\nlet a = 1",
+        "a string stands in double quotes",
+    );
     one(
         Code::E0103,
         "let a = c.«sweep»\nlet b = 1",

@@ -49,7 +49,9 @@ fn hint(source: &Source<'_>, at: usize, what: &'static str) -> Option<String> {
         (Semicolon, _) => "no `;` is needed",
         (Equal, "an expression") if before == Equal => "a declaration has one `=`",
         (Colon, "`=`") => "write `=`",
-        (Prime | DoublePrime, "a string") => "a string stands in double quotes",
+        (Prime | DoublePrime | Name | Dot | Slash, "a string") => {
+            "a string stands in double quotes"
+        }
         (Keyword(self::Keyword::In), "a unit") => "the units are `mm`, `cm`, `m`, `inch`",
         (_, "`=`") => return equal_missing(source, at),
         _ => return None,
