@@ -279,6 +279,12 @@ fn an_error_of_syntax_hides_what_the_rest_of_its_declaration_means() {
         ),
         (
             Code::E0006,
+            "let a = 1, 5\nsurface R = (u, v, 0)",
+            "a point is written `(a, b)`",
+            "",
+        ),
+        (
+            Code::E0006,
             "surface R = (u, v, 0), k",
             "a point is written `(a, b)`",
             "",

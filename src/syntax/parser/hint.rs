@@ -206,8 +206,10 @@ pub(super) fn point_without_parentheses(source: &Source<'_>, at: usize) -> Optio
     let start = (0..at).rev().find(|own| source.begins_declaration(*own))?;
     let equal = (start..at).find(|own| source.kind(*own) == Equal)?;
     let in_plane = (start..equal).any(|own| source.kind(own) == Keyword(self::Keyword::In));
+    // two numbers alone may be one with a decimal comma
+    let numbers = [at - 1, at + 1].map(|own| source.kind(own)) == [Number; 2];
     let entries = match source.kind(start) {
-        Keyword(self::Keyword::Let) => 2..=3,
+        Keyword(self::Keyword::Let) if !numbers => 2..=3,
         Keyword(self::Keyword::Surface) => 3..=3,
         Keyword(self::Keyword::Profile | self::Keyword::Sweep | self::Keyword::Curve) => {
             if in_plane { 2..=2 } else { 3..=3 }
