@@ -107,8 +107,8 @@ impl<'a> Lowerer<'a> {
         if BUILT_IN.contains(&name.text.as_str()) {
             return self.call_built_in(span, name, arguments, parenthesis, scope);
         }
-        if let Some(reported) = self.report_constructor(name, scope) {
-            return Err(reported);
+        if let Some(finding) = self.misplaced_constructor(name, scope) {
+            return Err(self.report(finding));
         }
         // The arguments may hold findings of their own, but a bare name may stand for a curve.
         for argument in arguments {

@@ -17,23 +17,20 @@ impl<'a> Lowerer<'a> {
         kinds::ALL.iter().find(|kind| kind.name == name.text)
     }
 
-    /// Reports a curve constructor where no curve is declared, or one of a later version.
-    pub(super) fn report_constructor(
-        &mut self,
+    /// The finding about a curve constructor where no curve is declared, or one of a later version.
+    pub(super) fn misplaced_constructor(
+        &self,
         name: &Name,
         scope: &Scope<'_>,
-    ) -> Option<Reported> {
-        let finding = if kinds::RESERVED.contains(&name.text.as_str()) {
+    ) -> Option<Diagnostic> {
+        if kinds::RESERVED.contains(&name.text.as_str()) {
             let message = format!("`{}` is not in this version", name.text);
-            self.finding(scope, Code::E0110, name.span, message)
-        } else if kinds::ALL.iter().any(|kind| kind.name == name.text) {
-            let message = format!("`{}` makes a curve, it is no value", name.text);
-            self.finding(scope, Code::E0107, name.span, message)
-                .help("declare the curve: `curve c(v) in xy = …`, and use `c(v)` here")
-        } else {
-            return None;
-        };
-        Some(self.report(finding))
+            return Some(self.finding(scope, Code::E0110, name.span, message));
+        }
+        self.constructor(name)?;
+        let message = format!("`{}` makes a curve, it is no value", name.text);
+        let finding = self.finding(scope, Code::E0107, name.span, message);
+        Some(finding.help("declare the curve: `curve c(v) in xy = …`, and use `c(v)` here"))
     }
 
     /// The arguments of a constructor, slot by slot.

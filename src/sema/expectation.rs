@@ -32,6 +32,11 @@ impl<'a> Lowerer<'a> {
         surfaces: &[SweptSurface],
     ) -> Lowered<Expectation> {
         self.mentioned.clear();
+        for side in std::iter::once(left).chain(relation.map(|(_, right)| right)) {
+            if let Some(finding) = self.conjunction(side) {
+                return Err(self.report(finding));
+            }
+        }
         let claim = match relation {
             None => self.quality(left, surfaces)?,
             Some((relation, right)) => {
@@ -61,6 +66,40 @@ impl<'a> Lowerer<'a> {
         })
     }
 
+    /// E0107 where `and` stands between two claims, as a factor that nothing declares.
+    fn conjunction(&self, side: &Expr) -> Option<Diagnostic> {
+        let ExprKind::Product(factors) = &side.kind else {
+            return None;
+        };
+        let mut pairs = factors.windows(2);
+        let (before, and) = pairs.find_map(|pair| match &pair[1].1.kind {
+            ExprKind::Reference(Reference { name, .. })
+            | ExprKind::Apply {
+                function: Reference { name, .. },
+                ..
+            } if name.text == "and" && name.span.start == pair[1].1.span.start => {
+                Some((pair[0].1.span, name.span))
+            }
+            _ => None,
+        })?;
+        if self.definitions.contains_key("and") {
+            return None;
+        }
+        let message = "`and` does not join claims: these are two expectations";
+        let finding = Diagnostic::new(Code::E0107, and, message).help("write an `expect` for each");
+        let between = Span {
+            start: before.end,
+            end: and.start,
+            ..and
+        };
+        Some(
+            match self.sources.map.slice(between).contains(['\n', '\r']) {
+                true => finding.fix(and, "expect"),
+                false => finding.fix(between.to(and), "\nexpect"),
+            },
+        )
+    }
+
     /// E0107 where a predicate is compared with a truth value: `regular(R) == true`.
     fn compared_quality(
         &self,
@@ -77,24 +116,30 @@ impl<'a> Lowerer<'a> {
         let (quality, other) = match (is_quality(left), is_quality(right)) {
             (true, false) => (left, right),
             (false, true) => (right, left),
-            _ => return None,
+            (true, true) => (left, right),
+            (false, false) => return None,
         };
         let written = self.sources.map.slice(quality.span);
         let message = format!("`{written}` is a statement of its own, it compares with nothing");
         let span = left.span.to(right.span);
         let finding = Diagnostic::new(Code::E0107, span, message);
-        let finding = finding.help(format!("write `expect {written}`"));
-        let affirmed = match relation {
-            ast::Relation::Equal => ["true", "1"],
-            ast::Relation::NotEqual => ["false", "0"],
-            _ => return Some(finding),
+        let other = self.sources.map.slice(other.span);
+        let (affirms, denies) = match relation {
+            ast::Relation::Equal => (["true", "1"], ["false", "0"]),
+            ast::Relation::NotEqual => (["false", "0"], ["true", "1"]),
+            _ => return Some(finding.help(format!("write `expect {written}`"))),
         };
-        Some(
-            match affirmed.contains(&self.sources.map.slice(other.span)) {
-                true => finding.fix(span, written),
-                false => finding,
-            },
-        )
+        if denies.contains(&other) {
+            return Some(finding.help("a claim cannot be negated"));
+        }
+        if is_quality(left) && is_quality(right) {
+            return Some(finding.help("write an `expect` for each"));
+        }
+        let finding = finding.help(format!("write `expect {written}`"));
+        Some(match affirms.contains(&other) {
+            true => finding.fix(span, written),
+            false => finding,
+        })
     }
 
     fn quality(&mut self, expr: &'a Expr, surfaces: &[SweptSurface]) -> Lowered<Claim> {
@@ -288,7 +333,7 @@ fn relation_of(relation: ast::Relation) -> Relation {
 }
 
 /// The predicate of that name.
-fn quality_of(name: &str) -> Option<Quality> {
+pub(super) fn quality_of(name: &str) -> Option<Quality> {
     match name {
         "rational_offset" => Some(Quality::RationalOffset),
         "positive_weights" => Some(Quality::PositiveWeights),

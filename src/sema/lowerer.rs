@@ -1,4 +1,4 @@
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::rc::Rc;
 
 use crate::curve::{Curve, Parameter};
@@ -82,11 +82,16 @@ pub(super) struct Lowerer<'a> {
     /// Shared zeros and cusps of curves.
     pub(super) shared_zeros: Vec<(Parameter, (Real, Real))>,
     /// Names whose declarations could not be parsed; their uses are not reported.
-    pub(super) broken: Vec<&'a str>,
+    pub(super) broken: BTreeSet<&'a str>,
+    /// What kinds of curves could not be parsed; uses of their properties are not reported.
+    pub(super) broken_roles: HashSet<Role>,
+    /// Where names stand in constructions that have been reported as undeclared.
+    pub(super) undeclared: BTreeSet<Span>,
 }
 
 impl<'a> Lowerer<'a> {
     fn new(sources: &'a Sources<'a>) -> Self {
+        let broken = || sources.documents.iter().flat_map(|own| &own.broken);
         Self {
             sources,
             tower: Tower::new(sources.limits.field_degree),
@@ -98,12 +103,9 @@ impl<'a> Lowerer<'a> {
             mentioned: Vec::new(),
             cusps_reported: Vec::new(),
             shared_zeros: Vec::new(),
-            broken: sources
-                .documents
-                .iter()
-                .flat_map(|own| &own.broken)
-                .map(|own| own.text.as_str())
-                .collect(),
+            broken: broken().map(|own| own.name.text.as_str()).collect(),
+            broken_roles: broken().filter_map(|own| own.role).collect(),
+            undeclared: BTreeSet::new(),
         }
     }
 
@@ -246,6 +248,7 @@ impl<'a> Lowerer<'a> {
             tower: self.tower.clone(),
             ..Program::default()
         };
+        self.check_names_of_constructions();
         self.check_every_definition();
         program.curves = self.curves(root);
         for item in &root.items {

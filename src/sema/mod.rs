@@ -12,6 +12,7 @@ mod curve;
 mod definition;
 mod expectation;
 mod expression;
+mod joined;
 mod lowerer;
 mod names;
 mod numeral;
@@ -22,6 +23,7 @@ mod property;
 mod scope;
 mod spelling;
 mod surface;
+mod undeclared;
 mod unknown;
 mod value;
 

@@ -46,7 +46,7 @@ impl<'a> Names<'a> {
             } => (parameters.as_slice(), bindings.as_slice()),
             _ => Default::default(),
         };
-        let first = reference.qualifier.as_deref().unwrap_or(&reference.name);
+        let first = reference.first();
         let is_first = |own: &Name| own.text == first.text;
         if parameters.iter().any(is_first) {
             return Reading::Unknown;

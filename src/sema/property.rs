@@ -3,9 +3,10 @@ use std::rc::Rc;
 use crate::curve::{Axis, Curve, Parameter, Property};
 use crate::diag::{Code, Diagnostic, Span};
 use crate::sweep::{CurveProperty, Form, Scalar};
-use crate::syntax::ast::{Argument, Reference, Role};
+use crate::syntax::ast::{Argument, Name, Reference, Role};
 
-use super::lowerer::{Lowered, Lowerer, Reported};
+use super::definition::DefinitionForm;
+use super::lowerer::{Lowered, Lowerer, Reported, parameter_of};
 use super::scope::{Binding, Scope};
 use super::spelling;
 use super::value::Value;
@@ -108,21 +109,8 @@ impl<'a> Lowerer<'a> {
         let role = match (at.depends_on(Parameter::U), at.depends_on(Parameter::V)) {
             (true, false) => Role::Profile,
             (false, true) => Role::Sweep,
-            (mixed, _) => {
-                let why = if mixed {
-                    "depends on u and v"
-                } else {
-                    "is constant"
-                };
-                let message = format!("the argument of `{text}` {why}: the curve must be named");
-                let finding = self.finding(scope, Code::E0105, span, message);
-                let Ok(near) = self.only_curve(Role::Sweep, span.file) else {
-                    return Err(self.report(finding.help(format!("write {}", qualified("c")))));
-                };
-                let finding = finding.help(format!("write {}", qualified(&near.text)));
-                let fix = format!("{}.{text}", near.text);
-                return Err(self.report(finding.fix(function.span, fix)));
-            }
+            (true, true) => return Err(self.report_unnamed(function, "depends on u and v", span)),
+            (false, false) => return Err(self.report_unnamed(function, "is constant", span)),
         };
         let what = if role == Role::Profile {
             "profile"
@@ -134,20 +122,73 @@ impl<'a> Lowerer<'a> {
                 let curve = self.curve_named(name, scope)?;
                 self.property(&curve, function, at, span, scope)
             }
+            // the curve that is meant may be the one that could not be read
+            Err(_) if self.broken_roles.contains(&role) => Err(Reported),
             Err(0) => {
                 let message = format!("`{text}` needs a {what}, and the file has none");
                 let finding = self.finding(scope, Code::E0105, function.span, message);
-                Err(self.report(finding.help(format!("name the curve: {}", qualified("c")))))
+                let curves = self.curves_in(|own| at.depends_on(own));
+                let finding = match curves.as_slice() {
+                    [] if role == Role::Profile => {
+                        finding.help("declare it: `profile p(u) in xz = …`")
+                    }
+                    [] => finding.help("declare it: `sweep c(v) in xy = …`"),
+                    [only] => finding
+                        .help(format!("name the curve: {}", qualified(&only.text)))
+                        .fix(function.span, format!("{}.{text}", only.text)),
+                    several => {
+                        finding.help(format!("name the curve: {}", choice(several, qualified)))
+                    }
+                };
+                Err(self.report(finding))
             }
             Err(count) => {
-                let all = self.curves_of(role);
-                let all: Vec<String> = all.iter().take(3).map(|own| qualified(&own.text)).collect();
+                let all = choice(&self.curves_of(role), qualified);
                 let message =
                     format!("the file has {count} {what}s: `{text}` must be named by its curve");
                 let finding = self.finding(scope, Code::E0105, function.span, message);
-                Err(self.report(finding.help(format!("write {}", all.join(" or ")))))
+                Err(self.report(finding.help(format!("write {all}"))))
             }
         }
+    }
+
+    /// E0105 where the argument of a property does not tell whether it is that of the profile or of
+    /// the sweep curve.
+    fn report_unnamed(&mut self, function: &Reference, why: &str, span: Span) -> Reported {
+        let text = self.sources.map.slice(function.span);
+        let qualified = |curve: &str| format!("`{curve}.{text}(…)`");
+        let message = format!("the argument of `{text}` {why}: the curve must be named");
+        let finding = Diagnostic::new(Code::E0105, span, message);
+        let all = self.curves_in(|_| true);
+        let near = match (self.only_curve(Role::Sweep, span.file), all.as_slice()) {
+            (Ok(sweep), _) => Some(sweep),
+            (Err(_), [only]) => Some(*only),
+            _ => None,
+        };
+        let finding = match near {
+            Some(near) => finding
+                .help(format!("write {}", qualified(&near.text)))
+                .fix(function.span, format!("{}.{text}", near.text)),
+            None if all.is_empty() => finding.help(format!(
+                "declare it: `curve c(v) in xy = …`, and write {}",
+                qualified("c")
+            )),
+            None => finding.help(format!("write {}", choice(&all, qualified))),
+        };
+        self.report(finding)
+    }
+
+    /// The names of the curves that run in such a parameter, in the order of the text.
+    fn curves_in(&self, runs: impl Fn(Parameter) -> bool) -> Vec<&'a Name> {
+        let definitions = self.definitions.values();
+        let curves = definitions.filter_map(|own| match own.form {
+            DefinitionForm::Curve { parameter, .. } => Some((own.name, parameter)),
+            _ => None,
+        });
+        let curves = curves.filter(|(_, own)| parameter_of(&own.text).is_some_and(&runs));
+        let mut names: Vec<_> = curves.map(|(name, _)| name).collect();
+        names.sort_by_key(|own| own.span);
+        names
     }
 
     /// E0105 inside a construction, where no curve is the only one.
@@ -259,6 +300,12 @@ impl<'a> Lowerer<'a> {
         );
         self.report(Diagnostic::new(Code::W1003, definition.span(), message));
     }
+}
+
+/// Up to three names, as they are to be written.
+fn choice(names: &[&Name], written: impl Fn(&str) -> String) -> String {
+    let names: Vec<String> = names.iter().take(3).map(|own| written(&own.text)).collect();
+    names.join(" or ")
 }
 
 /// The only curve among the parameters of the construction around that runs in the parameter on

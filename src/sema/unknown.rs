@@ -1,10 +1,11 @@
 use crate::curve::kinds;
-use crate::diag::{Code, Span};
+use crate::diag::{Code, Diagnostic, Span};
 use crate::number::Unit;
 use crate::syntax::ast::Name;
 use crate::syntax::lexer::Keyword;
 
 use super::call::BUILT_IN;
+use super::expectation::{QUERIES, quality_of};
 use super::lowerer::{Lowerer, Reported};
 use super::scope::Scope;
 use super::spelling;
@@ -15,20 +16,12 @@ const IRRATIONAL: [&str; 8] = ["pi", "π", "sin", "cos", "tan", "exp", "log", "l
 /// How far back the start of a line is looked for.
 const LONGEST_LINE: usize = 200;
 
-/// What only an expectation may ask.
-const QUALITIES: [&str; 5] = [
-    "bidegree",
-    "common_factor",
-    "positive_weights",
-    "rational_offset",
-    "regular",
-];
-
 impl Lowerer<'_> {
     /// Reports a name that nothing declares, with the way out where one is known.
     pub(super) fn report_unknown(&mut self, name: &Name, scope: &Scope<'_>) -> Reported {
         let text = name.text.as_str();
-        if self.is_full() || self.broken.contains(&text) {
+        let told = self.undeclared.contains(&name.span);
+        if told || self.is_full() || self.broken.contains(text) {
             return Reported;
         }
         let lost = self.lost_keyword(name.span);
@@ -36,19 +29,43 @@ impl Lowerer<'_> {
             // The whole line was meant to be a declaration, and its first word is reported.
             return Reported;
         }
+        let finding = match self.misplaced(name, scope) {
+            Some(finding) => finding,
+            None => self.not_declared(name, lost.map(|(_, keyword)| keyword), scope),
+        };
+        self.report(finding)
+    }
+
+    /// E0101; `lost` is the keyword that the name was probably meant to be.
+    fn not_declared(
+        &self,
+        name: &Name,
+        lost: Option<&'static str>,
+        scope: &Scope<'_>,
+    ) -> Diagnostic {
+        let text = name.text.as_str();
         let message = format!("`{text}` is not declared");
         let finding = self.finding(scope, Code::E0101, name.span, message);
-        let finding = if let Some((span, keyword)) = lost {
+        if let Some(keyword) = lost {
             finding
                 .help(format!("write `{keyword}`"))
-                .fix(span, keyword)
+                .fix(name.span, keyword)
         } else if IRRATIONAL.contains(&text) {
             finding.help("all values are rational: `turn(h)` is the cosine and sine of 2 arctan h")
         } else if Unit::from_symbol(text).is_some() {
             finding.help(format!(
                 "numbers carry no unit; `unit {text}` holds for the file"
             ))
-        } else if let Some(near) = self.nearest(text, scope) {
+        } else if let Some(joined) = self.joined(name, scope) {
+            let finding = finding.help(format!("did you mean `{}`?", joined.product));
+            match joined.edit {
+                Some(edit) => finding.fix(name.span, edit),
+                None => finding,
+            }
+        } else if let Some(near) = self
+            .repeated(name, scope)
+            .or_else(|| self.nearest(name, scope))
+        {
             match self.misspelt_declaration(name, &near) {
                 Some(declared) => finding
                     .help(format!(
@@ -61,8 +78,25 @@ impl Lowerer<'_> {
             }
         } else {
             finding
-        };
-        self.report(finding)
+        }
+    }
+
+    /// The finding about a word that the language has, where it has no place.
+    fn misplaced(&self, name: &Name, scope: &Scope<'_>) -> Option<Diagnostic> {
+        let text = name.text.as_str();
+        let finding = |message: String| self.finding(scope, Code::E0107, name.span, message);
+        if quality_of(text).is_some() {
+            let message = format!("`{text}` stands only as an `expect` of its own");
+            Some(finding(message).help(format!("write `expect {text}(R)`")))
+        } else if QUERIES.contains(&text) {
+            let message = format!("`{text}` stands only as a side of an `expect`");
+            Some(finding(message).help(format!("write `expect {text}(R) == …`")))
+        } else if BUILT_IN.contains(&text) {
+            let message = format!("the function `{text}` needs its arguments");
+            Some(finding(message).help(format!("write `{text}(…)`")))
+        } else {
+            self.misplaced_constructor(name, scope)
+        }
     }
 
     /// Where a near name is declared, if its declaration seems to be what is misspelt: in this
@@ -116,9 +150,10 @@ impl Lowerer<'_> {
     }
 
     /// The nearest spelling that means something, if it is near.
-    fn nearest(&self, name: &str, scope: &Scope<'_>) -> Option<String> {
+    fn nearest(&self, name: &Name, scope: &Scope<'_>) -> Option<String> {
+        let text = name.text.as_str();
         if scope.frame.is_none()
-            && let Some(property) = spelling::property_misspelt(name)
+            && let Some(property) = spelling::property_misspelt(text)
         {
             return Some(property.to_owned());
         }
@@ -126,12 +161,15 @@ impl Lowerer<'_> {
         let local: Vec<String> = frame
             .map(|frame| frame.bindings.borrow().keys().cloned().collect())
             .unwrap_or_default();
+        // what the language has of its own are functions
+        let applied = self.behind(name).starts_with('(');
         let fixed = BUILT_IN
             .into_iter()
             .chain(kinds::ALL.iter().map(|kind| kind.name))
-            .chain(QUALITIES.into_iter().filter(|_| frame.is_none()));
+            .chain(QUERIES.into_iter().filter(|_| frame.is_none()))
+            .filter(|_| applied);
         let declared = self.definitions.keys().copied().chain(fixed);
         let known = local.into_iter().chain(declared.map(str::to_owned));
-        spelling::nearest(name, known)
+        spelling::nearest(text, known)
     }
 }

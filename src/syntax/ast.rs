@@ -13,15 +13,25 @@ pub struct Document {
     pub items: Vec<Item>,
     /// Its comments, from `#` to the end of the line, in the order of the text.
     pub comments: Vec<Span>,
-    /// The names of the declarations that could not be parsed, so that a use of one need not be
-    /// reported as unknown.
-    pub broken: Vec<Name>,
+    /// What the declarations would declare that could not be parsed, so that a use of it need not
+    /// be reported as unknown.
+    pub broken: Vec<Broken>,
+}
+
+/// What a declaration that could not be parsed would declare, as far as that is known.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Broken {
+    /// The name.
+    pub name: Name,
+    /// What kind of curve it stands for, if it stands for one. Its properties may be used without
+    /// its name.
+    pub role: Option<Role>,
 }
 
 /// A declaration and the text it spans.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Item {
-    /// From the keyword to the last token.
+    /// From the keyword to the last token, or to the first one behind it that has no place there.
     pub span: Span,
     /// What is declared.
     pub declaration: Declaration,
@@ -205,6 +215,14 @@ pub struct Reference {
     pub primes: u32,
     /// All of it.
     pub span: Span,
+}
+
+impl Reference {
+    /// The name that stands first: `c` of `c.σ`, `f` of `f'`.
+    #[must_use]
+    pub fn first(&self) -> &Name {
+        self.qualifier.as_deref().unwrap_or(&self.name)
+    }
 }
 
 /// An argument, with its label if it has one: `branch: best`.

@@ -140,6 +140,18 @@ pub enum TokenKind {
     End,
 }
 
+impl TokenKind {
+    /// Whether it compares the sides of an expectation.
+    #[must_use]
+    pub fn is_relation(self) -> bool {
+        use TokenKind::*;
+        matches!(
+            self,
+            DoubleEqual | NotEqual | Less | LessOrEqual | Greater | GreaterOrEqual
+        )
+    }
+}
+
 /// A token and its bytes `start..end` in the text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Token {
@@ -468,7 +480,7 @@ impl Lexer<'_> {
                 Some((end, text)) => finding.fix(Span::new(self.file, self.at, end), text),
                 None => finding,
             });
-            if !c.is_control() {
+            if !is_blank(c) {
                 self.emit(TokenKind::Unknown, end);
             }
             return;
@@ -510,10 +522,15 @@ impl Lexer<'_> {
             '⅔' => fraction("(2/3)"),
             '¼' => fraction("(1/4)"),
             '¾' => fraction("(3/4)"),
-            '\u{B}' | '\u{C}' => fraction(" "),
+            _ if is_blank(c) => fraction(" "),
             _ => None,
         }
     }
+}
+
+/// Whether a character that has no place in the language separates tokens all the same.
+fn is_blank(c: char) -> bool {
+    matches!(c, '\u{B}' | '\u{C}')
 }
 
 /// E0003 without its help line.

@@ -62,6 +62,23 @@ fn a_star_is_written_where_a_name_multiplies_a_parenthesis() {
 }
 
 #[test]
+fn names_behind_where_stand_below_each_other() {
+    let text = "construction f(p) = p(u) + q v k where # y\nq = 3, # z\nlonger = 4";
+    let expected = [
+        "construction f(p) = p(u) + q v k",
+        "  where              # y",
+        "        q      = 3,  # z",
+        "        longer = 4",
+    ];
+    let expected = expected.map(|line| format!("{line}\n")).concat();
+    assert_eq!(formatted(text), expected);
+    assert_eq!(formatted(&expected), expected);
+    let text =
+        "construction f(p) = p(u) + q v k\n  # x\n  where q = 3,\n        # z\n        r = 4\n";
+    assert_eq!(formatted(text), text);
+}
+
+#[test]
 fn one_spelling_can_be_asked_for() {
     let text = "surface R on [0, 1] x [0, 1] = c.sigma'(v) + ϰ(v) + rho″(u) + σ1 + µ\n";
     let ascii = "surface R on [0, 1] x [0, 1] = c.sigma'(v) + kappa(v) + rho''(u) + σ1 + μ\n";

@@ -1,7 +1,7 @@
 //! Reading on behind an error.
 
 use sweepc::diag::Code;
-use sweepc::syntax::ast::Declaration;
+use sweepc::syntax::ast::{Declaration, Role};
 
 use crate::show::show_document;
 use crate::{findings, one, parsed};
@@ -101,7 +101,7 @@ fn at_most_fifty_errors_are_reported() {
 fn names_of_broken_declarations_are_kept() {
     let names = |text: &str| {
         let (document, _) = parsed(text);
-        let list = document.broken.iter().map(|name| name.text.clone());
+        let list = document.broken.iter().map(|own| own.name.text.clone());
         (list.collect::<Vec<_>>().join(" "), document.items.len())
     };
     assert_eq!(
@@ -111,6 +111,30 @@ fn names_of_broken_declarations_are_kept() {
     assert_eq!(names("let a = 1\nb = 2\nlet c = 3"), ("a b".to_owned(), 1));
     assert_eq!(names("let a = 1\nsurfce f(u) = 2"), ("a f".to_owned(), 0));
     assert_eq!(names("let a = 1 )"), (String::new(), 1));
+    assert_eq!(names("proflie p(u) = a"), ("p".to_owned(), 0));
+    assert_eq!(names("b = 2\nlet c = 3"), ("b".to_owned(), 1));
+    assert_eq!(names("let a = )\nlett b = 2"), ("a b".to_owned(), 0));
+    assert_eq!(names("unit mm\nb = 2\nlet c = 3"), ("b".to_owned(), 2));
+    // nothing of the line went into the declaration before
+    assert_eq!(
+        names("import \"a\"\nlett b = 2\nunit mm\nlett c = 2"),
+        ("b c".to_owned(), 2)
+    );
+}
+
+#[test]
+fn roles_of_broken_curves_are_kept() {
+    use Role::{Further, Profile, Sweep};
+    let roles = |text: &str| -> Vec<_> {
+        let (document, _) = parsed(text);
+        document.broken.iter().map(|own| own.role).collect()
+    };
+    assert_eq!(roles("profile p(u) = ("), [Some(Profile)]);
+    assert_eq!(roles("sweeep c(v) in xy = ("), [Some(Sweep)]);
+    assert_eq!(roles("let a = 2\ncurv c(v) = a"), [None, Some(Further)]);
+    assert_eq!(roles("q(u) in xz = a\nlet b = 1"), [Some(Profile)]);
+    assert_eq!(roles("let a = 2\nc(v) on [0, 1] = a"), [None, Some(Sweep)]);
+    assert_eq!(roles("let a = 2\nf(v) = a\nlett b = 1"), [None; 3]);
 }
 
 #[test]
@@ -120,4 +144,26 @@ fn a_declaration_after_an_unfinished_one_is_read() {
     assert_eq!(show_document(&document), shown);
     let codes = diagnostics.errors().map(|error| error.code);
     assert_eq!(codes.collect::<Vec<_>>(), [Code::E0006, Code::E0005]);
+}
+
+#[test]
+fn a_keyword_that_touches_a_dot_begins_no_declaration() {
+    one(
+        Code::E0006,
+        "import «b».sweep\nlet a = 1",
+        "a string stands in double quotes",
+    );
+    one(
+        Code::E0103,
+        "let a = c.«sweep»\nlet b = 1",
+        "`sweep` is a keyword",
+    );
+    let (document, diagnostics) = parsed("import ../b.sweep # c\nlet a = 1\nlet b = c.\nlet d = 2");
+    let fix = diagnostics.iter().next().unwrap().fix.clone().unwrap();
+    assert_eq!(
+        (fix.span.range(), fix.text.as_str()),
+        (7..17, "\"../b.sweep\"")
+    );
+    let shown = show_document(&document);
+    assert_eq!(shown, "(let a 1)\n(let d 2)\n");
 }

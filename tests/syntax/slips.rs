@@ -41,6 +41,12 @@ const SLIPS: &[(Code, &str, &str)] = &[
     (Code::E0006, "let a «==» 3", "write `=`"),
     (Code::E0006, "expect a «=» 3", "write `==`"),
     (Code::E0006, "expect a «= =» 3", "write `==`"),
+    (
+        Code::E0006,
+        "expect a «=>» 3",
+        "compares with `>=`, found `=>`; write `>=`",
+    ),
+    (Code::E0006, "expect a «=<» 3", "write `<=`"),
     (Code::E0006, "let a = «=» 3", "one `=`"),
     (Code::E0006, "let a = u «**» 2", "`^`"),
     (Code::E0006, "let a = u * «*» 2", "`^`"),

@@ -102,11 +102,12 @@ impl Tokens<'_> {
         let mut parts = vec![self.token(), Doc::space(), self.token()];
         self.parameters(names, &mut parts);
         parts.extend([Doc::space(), self.token(), self.value(body)]);
-        if !bindings.is_empty() {
-            let keyword = Doc::concat(vec![Doc::newline(), self.token(), Doc::space()]);
-            parts.push(Doc::nest(WHERE, keyword));
-        }
         let mut below = Vec::new();
+        if !bindings.is_empty() {
+            // a comment behind `where` puts the first name below it, in line with the others
+            parts.push(Doc::nest(WHERE, Doc::newline()));
+            below.extend([self.token(), Doc::space()]);
+        }
         for (place, (_, value)) in bindings.iter().enumerate() {
             if place > 0 {
                 below.extend([self.token(), Doc::newline()]);

@@ -5,7 +5,7 @@ use nom::{Input, Parser};
 
 use super::expression::{expression, unquoted};
 use super::fault::{Parsed, decimal_comma, expected, told};
-use super::hint::{CURVE_PARAMETER, PLANE, TIMES, start_of};
+use super::hint::{CURVE_PARAMETER, PLANE, TIMES, end_of, point_without_parentheses, start_of};
 use super::piece::{Brackets, bracketed, comma, keyword, name, token};
 use super::stream::{Source, Stream};
 use crate::diag::{Code, Diagnostic, Span};
@@ -254,23 +254,30 @@ fn relation(input: Stream<'_>) -> Parsed<'_, Relation> {
         TokenKind::LessOrEqual => Relation::LessOrEqual,
         TokenKind::Greater => Relation::Greater,
         TokenKind::GreaterOrEqual => Relation::GreaterOrEqual,
-        TokenKind::Equal => {
-            let rest = match after.kind() {
-                TokenKind::Equal => after.take_from(1),
-                _ => after,
-            };
-            let span = input.span_until(rest);
-            let found = clipped(input.source.slice(span));
-            let message = format!("an expectation compares with `==`, found `{found}`");
-            let finding = Diagnostic::new(Code::E0006, span, message);
-            input
-                .source
-                .report(finding.help("write `==`").fix(span, "=="));
-            return Ok((rest, Relation::Equal));
-        }
+        TokenKind::Equal => return Ok(relation_meant(input)),
         _ => return expected(input, "a relation"),
     };
     Ok((after, relation))
+}
+
+/// What a relation that begins with `=` was meant to be: `=`, `= =`, `=>`, `=<`.
+fn relation_meant(input: Stream<'_>) -> (Stream<'_>, Relation) {
+    let after = input.take_from(1);
+    let behind = after.take_from(1);
+    let (rest, meant, relation) = match after.kind() {
+        TokenKind::Greater => (behind, ">=", Relation::GreaterOrEqual),
+        TokenKind::Less => (behind, "<=", Relation::LessOrEqual),
+        TokenKind::Equal => (behind, "==", Relation::Equal),
+        _ => (after, "==", Relation::Equal),
+    };
+    let span = input.span_until(rest);
+    let found = clipped(input.source.slice(span));
+    let message = format!("an expectation compares with `{meant}`, found `{found}`");
+    let finding = Diagnostic::new(Code::E0006, span, message);
+    input
+        .source
+        .report(finding.help(format!("write `{meant}`")).fix(span, meant));
+    (rest, relation)
 }
 
 /// `"file.sweep"`
@@ -322,15 +329,15 @@ pub(super) fn stray(input: Stream<'_>) -> Option<Diagnostic> {
     let missing = MISSING_KEYWORD;
     let help = match input.kind() {
         Unknown => return None,
-        Comma => match decimal_comma(source, input.at) {
-            Some(finding) => return Some(finding),
-            None => "a point is written `(a, b)`",
-        },
+        Comma => return Some(stray_comma(source, input.at)),
         CloseParenthesis | CloseBracket => {
             return Some(unexpected(format!("{found} closes nothing")));
         }
         Equal => missing,
-        DoubleEqual | NotEqual | Less | LessOrEqual | Greater | GreaterOrEqual => {
+        relation if relation.is_relation() => {
+            if let Some(finding) = conjunction(source, input.at) {
+                return Some(finding);
+            }
             if let Some(start) = line_of_its_own(source, input.at) {
                 let first = source.token(start);
                 let message = format!("expected a declaration, found {}", source.described(first));
@@ -357,6 +364,35 @@ pub(super) fn stray(input: Stream<'_>) -> Option<Diagnostic> {
         _ => return Some(unexpected(format!("unexpected {found}"))),
     };
     Some(unexpected(format!("unexpected {found}")).help(help))
+}
+
+/// E0007, or E0006 at a comma behind a value.
+fn stray_comma(source: &Source<'_>, at: usize) -> Diagnostic {
+    if let Some(finding) = decimal_comma(source, at) {
+        return finding;
+    }
+    let span = source.span(source.token(at));
+    let finding = Diagnostic::new(Code::E0006, span, "unexpected `,`");
+    let finding = finding.help("a point is written `(a, b)`");
+    match point_without_parentheses(source, at) {
+        Some((span, text)) => finding.fix(span, text),
+        None => finding,
+    }
+}
+
+/// E0006 at the `and` between the relation at an index and the one before it.
+fn conjunction(source: &Source<'_>, at: usize) -> Option<Diagnostic> {
+    let first = source.relation_before(at)?;
+    let is_and = |own: &usize| source.written(source.token(*own)) == "and";
+    let and = (first + 1..at).rev().find(is_and)?;
+    let span = source.span(source.token(and));
+    let message = "`and` does not join relations: these are two expectations";
+    let finding = Diagnostic::new(Code::E0006, span, message).help("write an `expect` for each");
+    let before = source.span(source.token(and - 1));
+    Some(match source.begins_line(and) {
+        true => finding.fix(span, "expect"),
+        false => finding.fix(end_of(before).to(span), "\nexpect"),
+    })
 }
 
 /// The first token of the line of a token, if that is a name or an opener that multiplies, perhaps

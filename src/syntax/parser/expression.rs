@@ -5,7 +5,7 @@ use nom::{Input, Parser};
 use super::fault::{Parsed, expected, told};
 use super::hint::{end_of, start_of};
 use super::piece::{Brackets, bracketed, comma, name, nested, token, too_deep};
-use super::stream::Stream;
+use super::stream::{NEAR, Stream};
 use crate::diag::{Code, Diagnostic};
 use crate::syntax::ast::{Argument, Expr, ExprKind, ProductOp, Reference, Sign};
 use crate::syntax::lexer::TokenKind;
@@ -86,7 +86,7 @@ fn next_factor(input: Stream<'_>) -> Parsed<'_, (ProductOp, Expr)> {
         TokenKind::Name | TokenKind::OpenParenthesis => (input, ProductOp::Juxtapose),
         TokenKind::Number => {
             // a finding may cost a look at the whole declaration
-            if !input.source.has_enough_errors() {
+            if !input.source.has_enough_errors() && !is_before_second_relation(input) {
                 input.source.report(number_on_the_right(input));
             }
             (input, ProductOp::Juxtapose)
@@ -106,6 +106,18 @@ fn next_factor(input: Stream<'_>) -> Parsed<'_, (ProductOp, Expr)> {
     }
     let (rest, factor) = cut(factor).parse(rest)?;
     Ok((rest, (operator, factor)))
+}
+
+/// Whether a name comes before the next token in an `expect`, a relation before that, and another
+/// one behind it: that one is what is wrong, as in `a == b and 2 == c`.
+fn is_before_second_relation(input: Stream<'_>) -> bool {
+    let source = input.source;
+    input.previous().kind == TokenKind::Name
+        && source.relation_before(input.at).is_some()
+        && (input.at..source.tokens.len())
+            .take(NEAR)
+            .take_while(|own| !source.begins_declaration(*own))
+            .any(|own| source.kind(own).is_relation())
 }
 
 /// E0008: `x 2`, `1 000`.

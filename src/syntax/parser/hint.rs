@@ -49,7 +49,9 @@ fn hint(source: &Source<'_>, at: usize, what: &'static str) -> Option<String> {
         (Semicolon, _) => "no `;` is needed",
         (Equal, "an expression") if before == Equal => "a declaration has one `=`",
         (Colon, "`=`") => "write `=`",
-        (Prime | DoublePrime, "a string") => "a string stands in double quotes",
+        (Prime | DoublePrime | Name | Dot | Slash, "a string") => {
+            "a string stands in double quotes"
+        }
         (Keyword(self::Keyword::In), "a unit") => "the units are `mm`, `cm`, `m`, `inch`",
         (_, "`=`") => return equal_missing(source, at),
         _ => return None,
@@ -105,6 +107,7 @@ fn edit(source: &Source<'_>, at: usize, what: &'static str) -> Option<Edit> {
         }
         (Colon, "`=`") => replaced(span, "="),
         (Prime, "a string") => quoted(source, at),
+        (Name | Dot | Slash, "a string") => path(source, at),
         (Equal | Keyword(_), "`]`") => replaced(end_of(previous), "]"),
         (Name, PLANE) => {
             let lower = source.written(token).to_ascii_lowercase();
@@ -167,6 +170,16 @@ fn quoted(source: &Source<'_>, at: usize) -> Option<Edit> {
     Some((span, format!("\"{inner}\"")))
 }
 
+/// The name of a `.sweep` file in double quotes where it stands without.
+fn path(source: &Source<'_>, at: usize) -> Option<Edit> {
+    let span = source.span(source.token(at));
+    let line = source.text.get(span.start as usize..)?.lines().next()?;
+    let name = line.split('#').next()?.trim_end();
+    let end = span.start.checked_add(u32::try_from(name.len()).ok()?)?;
+    let is_name = name.ends_with(".sweep") && !name.contains(char::is_whitespace);
+    (is_name && !name.contains('"')).then(|| (Span { end, ..span }, format!("\"{name}\"")))
+}
+
 /// The edit where a bracket is closed by one of the other kind, or by that of the bracket around
 /// it: what the counts of brackets in this declaration say.
 pub(super) fn closing_edit(
@@ -184,6 +197,42 @@ pub(super) fn closing_edit(
         ((0, 1), "]") => Some((start_of(span), closing.to_owned())),
         _ => None,
     }
+}
+
+/// The point in parentheses that the value of a declaration was meant to be, where its first comma
+/// is at an index: `surface R = u, v, 0`.
+pub(super) fn point_without_parentheses(source: &Source<'_>, at: usize) -> Option<Edit> {
+    use TokenKind::*;
+    let start = (0..at).rev().find(|own| source.begins_declaration(*own))?;
+    let equal = (start..at).find(|own| source.kind(*own) == Equal)?;
+    let in_plane = (start..equal).any(|own| source.kind(own) == Keyword(self::Keyword::In));
+    // two numbers alone may be one with a decimal comma
+    let numbers = [at - 1, at + 1].map(|own| source.kind(own)) == [Number; 2];
+    let entries = match source.kind(start) {
+        Keyword(self::Keyword::Let) if !numbers => 2..=3,
+        Keyword(self::Keyword::Surface) => 3..=3,
+        Keyword(self::Keyword::Profile | self::Keyword::Sweep | self::Keyword::Curve) => {
+            if in_plane { 2..=2 } else { 3..=3 }
+        }
+        _ => return None,
+    };
+    let (mut depth, mut commas, mut end) = (0_usize, 0_usize, equal + 1);
+    while source.kind(end) != End && !source.begins_declaration(end) {
+        match source.kind(end) {
+            OpenParenthesis | OpenBracket => depth += 1,
+            CloseParenthesis | CloseBracket => depth = depth.checked_sub(1)?,
+            Comma if depth == 0 && source.kind(end + 1) == Comma => return None,
+            Comma if depth == 0 => commas += 1,
+            Unknown | Text | Equal | Colon | Semicolon => return None,
+            kind if kind.is_relation() => return None,
+            _ => {}
+        }
+        end += 1;
+    }
+    let whole = depth == 0 && source.kind_before(end) != Comma && entries.contains(&(commas + 1));
+    let first = source.span(source.token(equal + 1));
+    let value = first.to(source.span(source.token(end - 1)));
+    whole.then(|| (value, format!("({})", source.slice(value))))
 }
 
 /// How many parentheses, and how many square brackets, are opened and not closed in the

@@ -1,5 +1,6 @@
 //! Tokens to tree: the second half of parsing.
 
+mod broken;
 mod declaration;
 mod expression;
 mod fault;
@@ -13,8 +14,8 @@ use self::declaration::{
 use self::fault::Fault;
 use self::hint::start_of;
 use self::stream::{Source, Stream};
-use super::ast::{Document, Name};
-use super::lexer::{Keyword, Token, TokenKind, clipped, tokenize};
+use super::ast::{Broken, Document, Item};
+use super::lexer::{Token, TokenKind, clipped, tokenize};
 use crate::diag::{Code, Diagnostic, Diagnostics, FileId, Limits};
 
 /// The tree of a text. Never fails: what cannot be read is reported, and the parser goes on at the
@@ -57,37 +58,42 @@ fn item<'a>(input: Stream<'a>, document: &mut Document) -> Stream<'a> {
     let source = input.source;
     if !source.begins_declaration(input.at) {
         report_stray(input);
+        document.broken.extend(broken::without_keyword(input));
         return recovered(input, input.at + 1);
     }
     match declaration(input) {
         Ok((rest, item)) => {
             let rest = without_semicolons(rest);
-            if rest.kind() == TokenKind::End || source.begins_declaration(rest.at) {
-                match name_before_keyword(rest) {
-                    Some(name) => document
+            // behind a value a name would be its next factor
+            let begins_anew = rest.kind() == TokenKind::Name && source.begins_line(rest.at);
+            if begins_anew || is_boundary(source, rest.at) {
+                match broken::before_keyword(rest) {
+                    Some(own) => document
                         .broken
-                        .extend(declared_name(input).into_iter().chain([name])),
+                        .extend(broken::declared(input).into_iter().chain([own])),
                     None => document.items.push(item),
                 }
                 return rest;
             }
-            match swallowed_name(rest) {
+            match broken::swallowed(rest) {
                 // the next declaration lost its keyword, and its name went into this value
-                Some(name) => {
-                    report_swallowed(rest, &name);
+                Some(own) => {
+                    report_swallowed(rest, &own);
                     document
                         .broken
-                        .extend(declared_name(input).into_iter().chain([name]));
+                        .extend(broken::declared(input).into_iter().chain([own]));
                 }
                 None => {
-                    document.items.push(item);
+                    // what has no place behind a declaration is an error of that declaration
+                    let span = item.span.to(rest.span());
+                    document.items.push(Item { span, ..item });
                     report_stray(rest);
                 }
             }
             recovered(rest, rest.at)
         }
         Err(nom::Err::Error(fault) | nom::Err::Failure(fault)) => {
-            document.broken.extend(declared_name(input));
+            document.broken.extend(broken::declared(input));
             let at = fault.at().max(input.at + 1);
             report(source, fault);
             recovered(input, at)
@@ -116,8 +122,8 @@ fn report_stray(input: Stream<'_>) {
 }
 
 /// Reports a declaration without its keyword at its name, if that begins the line.
-fn report_swallowed(input: Stream<'_>, name: &Name) {
-    let source = input.source;
+fn report_swallowed(input: Stream<'_>, own: &Broken) {
+    let (source, name) = (input.source, &own.name);
     let is_name = |token: &Token| source.span(*token) == name.span;
     let index = source.tokens.iter().position(is_name);
     if misspelt_keyword(input).is_some() || !index.is_some_and(|own| source.begins_line(own)) {
@@ -148,58 +154,19 @@ fn without_semicolons(input: Stream<'_>) -> Stream<'_> {
     rest
 }
 
-/// The first declaration from an index on, be it with a misspelt keyword at the start of a line.
+/// Whether a declaration begins at an index, be it with a misspelt keyword at the start of a line,
+/// or the file ends there.
+fn is_boundary(source: &Source<'_>, index: usize) -> bool {
+    source.kind(index) == TokenKind::End
+        || source.begins_declaration(index)
+        || (source.begins_line(index) && nearly_keyword(source, index).is_some())
+}
+
+/// The first declaration from an index on.
 fn recovered(input: Stream<'_>, from: usize) -> Stream<'_> {
-    let source = input.source;
-    let is_boundary = |index: &usize| {
-        source.kind(*index) == TokenKind::End
-            || source.begins_declaration(*index)
-            || (source.begins_line(*index) && nearly_keyword(source, *index).is_some())
-    };
-    let next = (from..source.tokens.len()).find(is_boundary);
-    input.moved_to(next.unwrap_or(source.tokens.len()))
-}
-
-/// The name behind the keyword of a declaration.
-fn declared_name(input: Stream<'_>) -> Option<Name> {
-    let token = input.source.token(input.at + 1);
-    (token.kind == TokenKind::Name).then(|| input.source.name(token))
-}
-
-/// The name of a declaration that was put in front of its keyword, and so went into the value of
-/// the declaration before: `b` of `b let = 2`. The next declaration reports that it has no name.
-fn name_before_keyword(input: Stream<'_>) -> Option<Name> {
-    let (source, before) = (input.source, input.at.checked_sub(1)?);
-    let takes_name = !matches!(
-        input.kind(),
-        TokenKind::End | TokenKind::Keyword(Keyword::Expect | Keyword::Import | Keyword::Unit)
-    );
-    let has_none = takes_name && source.kind(input.at + 1) != TokenKind::Name;
-    let token = source.token(before);
-    (has_none && token.kind == TokenKind::Name && source.begins_line(before))
-        .then(|| source.name(token))
-}
-
-/// What a declaration without its keyword declares: `b` of `b(u) = 2u` and of `lett b = 2`.
-fn swallowed_name(input: Stream<'_>) -> Option<Name> {
-    let source = input.source;
-    if source.has_enough_errors() {
-        return None;
-    }
-    let mut index = match misspelt_keyword(input) {
-        Some((keyword, _)) => keyword + 1,
-        None if input.kind() == TokenKind::Equal => input.at.checked_sub(1)?,
-        None if matches!(input.kind(), TokenKind::Keyword(Keyword::In | Keyword::On)) => {
-            input.at.checked_sub(1)?
-        }
-        None => return None,
-    };
-    if source.kind(index) == TokenKind::CloseParenthesis {
-        let is_opener = |index: &usize| source.kind(*index) == TokenKind::OpenParenthesis;
-        index = (0..index).rev().find(is_opener)?.checked_sub(1)?;
-    }
-    let token = source.token(index);
-    (token.kind == TokenKind::Name).then(|| source.name(token))
+    let tokens = input.source.tokens.len();
+    let next = (from..tokens).find(|index| is_boundary(input.source, *index));
+    input.moved_to(next.unwrap_or(tokens))
 }
 
 /// The first findings in the order of the text; the last of them says whether there are more.

@@ -8,6 +8,9 @@ use crate::diag::{Diagnostic, FileId, Limits, Severity, Span};
 use crate::syntax::ast::Name;
 use crate::syntax::lexer::{Keyword, Token, TokenKind, clipped, name_text};
 
+/// How many tokens a finding looks back or ahead at most where it may be made for every token.
+pub(super) const NEAR: usize = 200;
+
 /// What all parsers of one file share.
 pub(super) struct Source<'a> {
     pub(super) file: FileId,
@@ -122,12 +125,15 @@ impl<'a> Source<'a> {
     }
 
     /// Whether a keyword stands where its author meant a name: a name is due, and what follows is
-    /// an operator or a closing bracket, with which no declaration goes on.
+    /// an operator or a closing bracket, with which no declaration goes on; or it touches a dot.
     pub(super) fn is_misused_keyword(&self, index: usize) -> bool {
         use TokenKind::*;
         let Keyword(keyword) = self.kind(index) else {
             return false;
         };
+        if self.kind_before(index) == Dot && self.touches_next(index.wrapping_sub(1)) {
+            return true;
+        }
         let name_is_due = !matches!(
             self.kind_before(index),
             End | Unknown
@@ -172,6 +178,15 @@ impl<'a> Source<'a> {
             }
         }
         None
+    }
+
+    /// The relation before an index in the `expect` around it, if that begins near enough.
+    pub(super) fn relation_before(&self, index: usize) -> Option<usize> {
+        let mut near = (index.saturating_sub(NEAR)..index).rev();
+        let start = near.find(|own| self.begins_declaration(*own))?;
+        let is_expectation = self.kind(start) == TokenKind::Keyword(Keyword::Expect);
+        let mut before = (start..index).rev();
+        before.find(|own| is_expectation && self.kind(*own).is_relation())
     }
 
     /// Whether the innermost bracket that is open before an index is a `[`.
