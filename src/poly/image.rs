@@ -14,7 +14,7 @@ pub(super) fn place_of<'a, F: Field>(
     polynomials: impl IntoIterator<Item = &'a UniPoly<F>>,
 ) -> Option<Place> {
     let highest = polynomials.into_iter().filter_map(UniPoly::highest);
-    match highest.max_by_key(Ring::height) {
+    match highest.max_by_key(|own| own.height()) {
         Some(highest) => highest.place(),
         None => Some(Place::rational()),
     }

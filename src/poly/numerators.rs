@@ -1,3 +1,4 @@
+use std::borrow::Cow;
 use std::cell::OnceCell;
 use std::fmt;
 use std::ops::Deref;
@@ -16,6 +17,7 @@ pub(super) enum Numerators<R> {
 
 /// A list, and what was found out about it.
 pub(super) struct Shared<R> {
+    length: usize,
     list: OnceCell<Vec<R>>,
     /// What the list is multiplied out from, when it is asked for; none for one that was given.
     product: Option<Product<R>>,
@@ -34,6 +36,7 @@ impl<R: Ring> Numerators<R> {
     /// f g / d, multiplied out when the coefficients are asked for.
     pub(super) fn product(left: Self, right: Self, divisor: Integer) -> Self {
         Self::shared(
+            left.len() + right.len() - 1,
             OnceCell::new(),
             Some(Product {
                 left,
@@ -43,8 +46,9 @@ impl<R: Ring> Numerators<R> {
         )
     }
 
-    fn shared(list: OnceCell<Vec<R>>, product: Option<Product<R>>) -> Self {
+    fn shared(length: usize, list: OnceCell<Vec<R>>, product: Option<Product<R>>) -> Self {
         Self::Several(Rc::new(Shared {
+            length,
             list,
             product,
             primitive: OnceCell::new(),
@@ -52,6 +56,7 @@ impl<R: Ring> Numerators<R> {
     }
 
     /// The product that is not multiplied out yet.
+    #[inline]
     pub(super) fn factors(&self) -> Option<&Product<R>> {
         match self {
             Self::Several(own) if own.list.get().is_none() => own.product.as_ref(),
@@ -59,10 +64,12 @@ impl<R: Ring> Numerators<R> {
         }
     }
 
+    #[inline]
     pub(super) fn len(&self) -> usize {
-        match self.factors() {
-            Some(own) => own.left.len() + own.right.len() - 1,
-            None => (**self).len(),
+        match self {
+            Self::Zero => 0,
+            Self::Constant(_) => 1,
+            Self::Several(own) => own.length,
         }
     }
 
@@ -71,18 +78,18 @@ impl<R: Ring> Numerators<R> {
     }
 
     /// The coefficient of the lowest power; none for 0.
-    pub(super) fn first(&self) -> Option<R> {
+    pub(super) fn first(&self) -> Option<Cow<'_, R>> {
         match self.factors() {
-            Some(own) => own.end(own.left.first()?, own.right.first()?),
-            None => (**self).first().cloned(),
+            Some(own) => Some(own.end(&*own.left.first()?, &*own.right.first()?)),
+            None => (**self).first().map(Cow::Borrowed),
         }
     }
 
     /// The coefficient of the highest power; none for 0.
-    pub(super) fn last(&self) -> Option<R> {
+    pub(super) fn last(&self) -> Option<Cow<'_, R>> {
         match self.factors() {
-            Some(own) => own.end(own.left.last()?, own.right.last()?),
-            None => (**self).last().cloned(),
+            Some(own) => Some(own.end(&*own.left.last()?, &*own.right.last()?)),
+            None => (**self).last().map(Cow::Borrowed),
         }
     }
 
@@ -143,10 +150,9 @@ impl<R: Ring> Numerators<R> {
 }
 
 impl<R: Ring> Product<R> {
-    /// A product of coefficients that is a coefficient of the product.
-    #[allow(clippy::unnecessary_wraps, reason = "a step in a chain of options")]
-    fn end(&self, left: R, right: R) -> Option<R> {
-        Some(left.times(&right).divided(&self.divisor))
+    /// The coefficient at an end, from those of the factors.
+    fn end(&self, left: &R, right: &R) -> Cow<'_, R> {
+        Cow::Owned(left.times(right).divided(&self.divisor))
     }
 
     fn multiplied(&self) -> Vec<R> {
@@ -166,13 +172,14 @@ impl<R: Ring> PartialEq for Numerators<R> {
         {
             return true;
         }
-        if let (Some(own), Some(other)) = (self.factors(), other.factors())
-            && own.left == other.left
-            && own.right == other.right
-        {
-            return own.divisor == other.divisor;
+        match (self.factors(), other.factors()) {
+            (None, None) => **self == **other,
+            (Some(own), Some(other)) if own.left == other.left && own.right == other.right => {
+                own.divisor == other.divisor
+            }
+            // Their ends tell most products apart.
+            _ => self.len() == other.len() && self.last() == other.last() && **self == **other,
         }
-        self.len() == other.len() && self.last() == other.last() && **self == **other
     }
 }
 
@@ -187,7 +194,7 @@ impl<R: Ring> fmt::Debug for Numerators<R> {
 impl<R: Ring> From<Vec<R>> for Numerators<R> {
     fn from(mut list: Vec<R>) -> Self {
         if list.len() > 1 {
-            return Self::shared(list.into(), None);
+            return Self::shared(list.len(), list.into(), None);
         }
         list.pop().map_or(Self::Zero, Self::Constant)
     }

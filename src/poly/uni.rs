@@ -1,3 +1,4 @@
+use std::borrow::Cow;
 use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -188,7 +189,7 @@ impl<F: Field> UniPoly<F> {
 
     /// The numerator of the highest power; none for 0.
     #[must_use]
-    pub fn leading_numerator(&self) -> Option<F::Ring> {
+    pub fn leading_numerator(&self) -> Option<Cow<'_, F::Ring>> {
         self.numerators.last()
     }
 
@@ -209,15 +210,10 @@ impl<F: Field> UniPoly<F> {
         self.numerators.image(place)
     }
 
-    /// The numerator that lies in the largest field; none for 0.
-    pub(super) fn highest(&self) -> Option<F::Ring> {
-        if self.is_rational() {
-            return self.numerators.last();
-        }
-        self.numerators
-            .iter()
-            .max_by_key(|own| own.height())
-            .cloned()
+    /// The numerator that lies in the largest field; none if all are rational.
+    pub(super) fn highest(&self) -> Option<&F::Ring> {
+        let irrational = !self.is_rational();
+        irrational.then(|| self.numerators.iter().max_by_key(|own| own.height()))?
     }
 
     /// The common denominator d.
@@ -232,10 +228,10 @@ impl<F: Field> UniPoly<F> {
         let numerator = match power {
             0 => self.numerators.first(),
             _ if power + 1 == self.numerators.len() => self.numerators.last(),
-            _ => self.numerators.get(power).cloned(),
+            _ => self.numerators.get(power).map(Cow::Borrowed),
         };
         match numerator {
-            Some(numerator) => F::from_parts(numerator, self.denominator.clone()),
+            Some(numerator) => F::from_parts(numerator.into_owned(), self.denominator.clone()),
             None => F::zero(),
         }
     }
