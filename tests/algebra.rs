@@ -404,6 +404,18 @@ proptest! {
     }
 }
 
+#[test]
+fn polynomials_are_written_as_one_reads_them() {
+    let rows = |rows: &[&[i64]]| {
+        let rows: Vec<Poly> = rows.iter().map(|own| polynomial(own)).collect();
+        BiPoly::from_rows(&rows).to_string()
+    };
+    assert_eq!(rows(&[&[0, 1], &[-1]]), "-u + v");
+    assert_eq!(rows(&[&[2, 0, -1], &[-3], &[1]]), "u^2 - 3 u - v^2 + 2");
+    assert_eq!(rows(&[&[0, 5], &[1, -1]]), "(-v + 1) u + 5 v");
+    assert_eq!(rows(&[&[-1]]), "-1");
+}
+
 /// u v (u − v) vanishes on two lines, and at the corners on a third.
 #[test]
 fn zeros_of_lines_and_of_what_they_leave() {

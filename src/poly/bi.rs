@@ -502,6 +502,7 @@ impl<F: Field> fmt::Display for BiPoly<F> {
             parts.push(match row.display("v").as_str() {
                 text if power == 0 => text.to_owned(),
                 "1" => monomial,
+                "-1" => format!("-{monomial}"),
                 text if row.is_constant() && !text.contains(' ') => format!("{text} {monomial}"),
                 text => format!("({text}) {monomial}"),
             });

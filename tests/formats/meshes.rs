@@ -554,16 +554,19 @@ fn what_a_format_does_not_resolve_is_refused() {
         nets::sum(&[("0 0 1", "1")]),
     ];
     let far = nets::on(&parabola, ("1000000", "1000001"), ("0", "1"));
+    let refused = |format: &str, net: &ControlNet, chord: &str| {
+        write(format, &model(net), &context(chord)).map(|_| ())
+    };
     let code = |format: &str, net: &ControlNet, chord: &str| {
-        write(format, &model(net), &context(chord))
-            .map(|_| ())
-            .map_err(|own| own.code)
+        refused(format, net, chord).map_err(|own| own.code)
     };
     // 10⁶ has steps of 1/16 in 32 bits, and u² = 10¹² steps of 2¹⁶.
     assert_eq!(code("stl", &far, "1/100"), Err(Code::E0308));
     assert_eq!(code("glb", &far, "1/100"), Err(Code::E0308));
     assert_eq!(code("ply", &far, "1/100"), Ok(()));
     assert_eq!(code("mesh", &far, "1e-20"), Err(Code::E0308));
+    let help = |format: &str| refused(format, &far, "1e-20").unwrap_err().help;
+    assert!(help("stl").contains("`ply`") && !help("ply").contains("`ply`"));
     // The tolerance is there, but neighbours become equal: 2²⁴ + v, in steps of 2.
     let near = nets::patch(&[
         nets::sum(&[("1", "1")]),
@@ -585,16 +588,13 @@ fn what_a_format_does_not_resolve_is_refused() {
 #[test]
 fn triangles_have_a_limit() {
     let net = nets::patch(&nets::circle_over_cubic());
-    let count = mesh(&model(&net), "1/100", Precision::Double)
-        .triangles
-        .len();
+    let mesh = mesh(&model(&net), "1/100", Precision::Double);
+    let count = mesh.triangles.len();
     for (limit, fits) in [(count, true), (count - 1, false)] {
         let mut context = context("1/100");
         context.limits.triangles = limit;
         let written = Mesh::of(&model(&net), &context, Precision::Double);
-        assert_eq!(
-            written.map(|_| ()).map_err(|own| own.code),
-            if fits { Ok(()) } else { Err(Code::E0511) }
-        );
+        let expected = if fits { Ok(()) } else { Err(Code::E0511) };
+        assert_eq!(written.map(|_| ()).map_err(|own| own.code), expected);
     }
 }

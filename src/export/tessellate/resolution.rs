@@ -40,9 +40,12 @@ impl Resolution {
                 "the triangles would be finer than the numbers of the format, which end at {}",
                 magnitude(&rounding)
             );
-            let help = format!(
-                "give a greater `--chord`, such as {least}; move the surface nearer to the origin, or write `ply` or `mesh`, whose numbers are doubles"
+            let mut help = format!(
+                "give a greater `--chord`, such as {least}; move the surface nearer to the origin"
             );
+            if precision == Precision::Single {
+                help += ", or write `ply` or `mesh`, whose numbers are doubles";
+            }
             return Err(ExportFault::new(Code::E0308, message, help));
         }
         let bits = 40 - tolerance.binade().unwrap_or_default();
