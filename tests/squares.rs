@@ -432,3 +432,22 @@ fn reports() {
         panic!("{failure}");
     }
 }
+
+#[test]
+fn a_root_counts_half_of_its_radicand() {
+    let curve = "sweep c(v) in xy = ph(start: (0, 0), preimage: [(2, 2), (2, 1)])\nsurface R = ";
+    let bound =
+        |formula: &str| support::pairs(support::expand(&format!("{curve}{formula}\n")).1.bound());
+    let speed = bound("c(v) + (u / σ(v)) k");
+    assert_eq!(bound("c(v) + (u / sqrt(norm2(c'(v)))) k"), speed);
+    assert_eq!(
+        speed,
+        [Some((0, 2)), Some((0, 5)), Some((0, 5)), Some((1, 0))]
+    );
+    // Three times (1, 3), once for all coordinates of the normal.
+    let offset = bound("offset(c(v) + u k, 1)");
+    assert_eq!(
+        offset,
+        [Some((3, 9)), Some((3, 12)), Some((3, 12)), Some((4, 9))]
+    );
+}

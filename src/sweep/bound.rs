@@ -245,7 +245,7 @@ impl Counter {
                 &self.count(u),
                 &self.count(v),
             ),
-            Form::SquareRoot(body) => opaque(expression, &self.count(body)),
+            Form::SquareRoot(body) => root(expression, &self.count(body)),
             Form::Normal(surface, _) => normal(expression, surface),
             Form::OnDomain(body, _) => (*self.count(body)).clone(),
         }
@@ -302,6 +302,21 @@ fn opaque(expression: &Scalar, of: &Counted) -> Counted {
     }
 }
 
+/// A root of a fraction in lowest terms: both parts are squares.
+fn root(expression: &Scalar, of: &Counted) -> Counted {
+    let half = |degree: BiDegree| BiDegree::new(degree.u / 2, degree.v / 2);
+    let symbol = |make: fn(Scalar) -> Symbol, own: &Factors| {
+        Factors::one(make(expression.clone()), half(own.degree()))
+    };
+    Counted {
+        numerator: of
+            .numerator
+            .as_ref()
+            .map(|own| symbol(Symbol::Numerator, own)),
+        denominator: symbol(Symbol::Denominator, &of.denominator),
+    }
+}
+
 /// (N′D − ND′)/D²; over a constant D only N′.
 fn derivative(expression: &Scalar, of: &Counted) -> Counted {
     let bottom = of.denominator.degree();
@@ -346,16 +361,19 @@ fn substitution(expression: &Scalar, body: &Counted, u: &Counted, v: &Counted) -
     )
 }
 
-/// Three times the surface in both numerator and denominator: M/√|M|².
-fn normal(expression: &Scalar, surface: &Vector) -> Counted {
+/// Three times the surface in both numerator and denominator: M/√|M|², whose three coordinates share
+/// their denominator.
+fn normal(expression: &Scalar, surface: &Rc<Vector>) -> Counted {
     let degree = degree_bound(surface)
         .into_iter()
         .flatten()
         .fold(BiDegree::default(), BiDegree::max);
     let degree = times(degree, 3);
+    let first = Form::Normal(Rc::clone(surface), Axis::X);
+    let shared = Symbol::Denominator(Scalar::new(expression.span(), first));
     Counted {
         numerator: Some(Factors::one(Symbol::Numerator(expression.clone()), degree)),
-        denominator: Factors::one(Symbol::Denominator(expression.clone()), degree),
+        denominator: Factors::one(shared, degree),
     }
 }
 
