@@ -3,7 +3,7 @@
     reason = "the one place where exact numbers become doubles"
 )]
 
-use crate::number::{Field, Integer, Leading, Rational, Real, Ring};
+use crate::number::{Field, Integer, Leading, LeadingWord, Rational, Real, Ring};
 
 use super::rounded::Rounded;
 
@@ -120,6 +120,34 @@ impl Double {
         let rounded = Self::rounded(Precision::Double, leading)?;
         let double = Self::of_parts(leading.sign().is_lt(), rounded.mantissa, rounded.step);
         rounded.decided.then_some(double)
+    }
+
+    /// The double nearest to every number with a leading word, as [`Double::nearest_to_leading`].
+    ///
+    /// Of 64 digits 11 are dropped. As there, the number below a power of two is no exception: the
+    /// error is less than half of the short steps there.
+    #[must_use]
+    #[inline]
+    pub(super) fn nearest_to_word(word: LeadingWord) -> Option<Self> {
+        const DROPPED: u32 = 11;
+        const HALF: u64 = 1 << (DROPPED - 1);
+        let (size, error, exponent) = word.parts();
+        if size == 0 {
+            return Some(Self::default());
+        }
+        let rest = size & (2 * HALF - 1);
+        let step = exponent + i64::from(DROPPED);
+        let normal = LEAST_EXPONENT..Precision::Double.exponent_bound() - FRACTION_BITS - 1;
+        if error >= HALF / 2 || rest.abs_diff(HALF) <= error || !normal.contains(&step) {
+            return None;
+        }
+        let mantissa = (size >> DROPPED) + u64::from(rest > HALF);
+        // The leading bit of the mantissa, or its carry, counts in the exponent.
+        let binade = (step - LEAST_EXPONENT).unsigned_abs() << FRACTION_BITS;
+        let sign = u64::from(word.is_negative()) << 63;
+        Some(Self {
+            bits: (binade + mantissa) | sign,
+        })
     }
 
     /// The number of a format nearest to n/d, which is not 0, by its leading digits; none where few
@@ -361,8 +389,37 @@ fn length(value: &Integer) -> i64 {
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
     use crate::number::Tower;
+
+    /// Numbers of all lengths, and those near ties of doubles and near powers of two.
+    fn integers() -> impl Strategy<Value = Integer> {
+        let near = (0_u32..1_200, 0_u32..70, -3_i64..4).prop_map(|(power, last, step)| {
+            (Integer::from(1) << power) + (Integer::from(step) << last)
+        });
+        let tie = (any::<u64>(), 0_u32..1_100, -1_i64..2)
+            .prop_map(|(own, power, step)| (Integer::from(own >> 10 | 1) << power) + step);
+        let any = (any::<i128>(), 0_u32..1_100)
+            .prop_map(|(own, power)| Integer::from(own >> (power % 120) >> 1) << (power / 4));
+        prop_oneof![near, tie, any]
+    }
+
+    proptest! {
+        #[test]
+        fn a_leading_word_decides_only_what_is_so(above in integers(), below in integers()) {
+            prop_assume!(!Ring::is_zero(&below));
+            let [word, inverse] = [&above, &below].map(LeadingWord::of_integer);
+            let quotient = inverse.inverse().and_then(|own| own.times(word));
+            let exact = Real::ratio(above.clone(), below.clone());
+            for (word, exact) in [(Some(word), Real::from(above)), (quotient, exact)] {
+                if let Some(double) = word.and_then(Double::nearest_to_word) {
+                    prop_assert_eq!(Some(double), Double::nearest(&exact), "{}", exact);
+                }
+            }
+        }
+    }
 
     /// (1 − √2)ⁿ
     fn power(exponent: i64) -> Real {

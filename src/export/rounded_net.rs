@@ -29,7 +29,8 @@ impl RoundedNet {
         let mut rounding = Rounding::default();
         let knots_u = rounding.knots(net.knots_u(), "u")?;
         let knots_v = rounding.knots(net.knots_v(), "v")?;
-        let leading = net.leading();
+        let known = net.leading();
+        let known = known.as_ref();
         let mut weights = Vec::with_capacity(net.rows());
         let mut points = Vec::with_capacity(net.rows());
         for i in 0..net.rows() {
@@ -38,22 +39,27 @@ impl RoundedNet {
                 Vec::with_capacity(net.columns()),
             );
             for j in 0..net.columns() {
-                let known = leading.as_ref().and_then(|own| own.weight(i, j));
+                let words = known.and_then(|own| own.weight_word(i, j));
                 row.0.push(rounding.quotient(
-                    known.map(|(weight, _)| weight),
+                    words.map(|(weight, _)| weight),
+                    &|| known?.weight(i, j),
                     &|| net.weight_parts(i, j),
                     &|| net.weight(i, j).clone(),
                     &|| format!("weight ({i}, {j})"),
                 )?);
                 let mut coordinate = |axis: usize| {
-                    let what = || format!("{} of control point ({i}, {j})", ["x", "y", "z"][axis]);
-                    let exact = || net.point(i, j)[axis].clone();
+                    let word = || known?.coordinate_word(axis, (i, j), words?.1);
                     let parts = || {
                         let (point, divisor) = net.point_parts(i, j);
                         (point[axis].clone(), divisor)
                     };
-                    let leading = || leading.as_ref()?.coordinate(axis, (i, j), known?.1);
-                    rounding.quotient(leading(), &parts, &exact, &what)
+                    rounding.quotient(
+                        word(),
+                        &|| known?.coordinate(axis, (i, j)),
+                        &parts,
+                        &|| net.point(i, j)[axis].clone(),
+                        &|| format!("{} of control point ({i}, {j})", ["x", "y", "z"][axis]),
+                    )
                 };
                 row.1.push([coordinate(0)?, coordinate(1)?, coordinate(2)?]);
             }

@@ -1,6 +1,6 @@
 use std::rc::Rc;
 
-use crate::number::{Integer, Leading, Ring};
+use crate::number::{Integer, Leading, LeadingWord, Ring};
 use crate::poly::binomials;
 
 use super::products::{Numerator, Products, Term};
@@ -11,47 +11,72 @@ use super::products::{Numerator, Products, Term};
 pub struct LeadingPoints {
     /// W, X, Y, Z
     sums: Vec<Sum>,
+    /// 1/W₀₀
+    first: Leading,
+    /// C(n, i) and C(m, j)
+    binomials: [Vec<Integer>; 2],
     /// 1/(C(n, i) W₀₀)
-    rows: Digits,
+    rows: Vec<LeadingWord>,
     /// 1/C(m, j)
-    columns: Digits,
+    columns: Vec<LeadingWord>,
 }
 
 impl LeadingPoints {
     /// From the leading digits of all factors; none where few are known of one.
     pub(super) fn of(products: &Products) -> Option<Self> {
-        let inverse = |own: &Integer| Leading::of_integer(own).inverse();
-        let inverses = |degree| all(binomials(degree).iter().map(inverse));
         let mut sums = Vec::with_capacity(products.terms().len());
         for own in products.terms() {
             sums.push(Sum::machine(own).map_or_else(|| Sum::digits(own), Some)?);
         }
         let first = products.coordinate(0, (0, 0)).leading()?.inverse()?;
-        let rows = inverses(products.degree().u)?.into_iter();
+        let word = LeadingWord::of_leading(first);
+        let degree = products.degree();
+        let binomials = [degree.u, degree.v].map(binomials);
+        let inverse = |own: &Integer| LeadingWord::of_integer(own).inverse();
+        let [rows, columns] = binomials.each_ref().map(|own| own.iter().map(inverse));
         Some(Self {
             sums,
-            rows: all(rows.map(|own| own.times(first)))?,
-            columns: inverses(products.degree().v)?,
+            first,
+            rows: all(rows.map(|own| own?.times(word)))?,
+            columns: all(columns)?,
+            binomials,
         })
     }
 
     /// The weight of control point (i, j), and 1/W with which its coordinates are to be multiplied;
     /// none if the weight may be 0.
     #[must_use]
-    pub fn weight(&self, i: usize, j: usize) -> Option<(Leading, Leading)> {
-        let weight = self.sums[0].leading(i, j)?;
+    pub fn weight_word(&self, i: usize, j: usize) -> Option<(LeadingWord, LeadingWord)> {
+        let weight = self.sums[0].word(i, j)?;
         let scale = self.rows[i].times(self.columns[j])?;
         Some((weight.times(scale)?, weight.inverse()?))
     }
 
     /// A coordinate of control point (i, j) with 1/W.
     #[must_use]
-    pub fn coordinate(
+    #[inline]
+    pub fn coordinate_word(
         &self,
         axis: usize,
         (i, j): (usize, usize),
-        inverse: Leading,
-    ) -> Option<Leading> {
+        inverse: LeadingWord,
+    ) -> Option<LeadingWord> {
+        self.sums[axis + 1].word(i, j)?.times(inverse)
+    }
+
+    /// The weight of control point (i, j), by more digits.
+    #[must_use]
+    pub fn weight(&self, i: usize, j: usize) -> Option<Leading> {
+        let [rows, columns] = &self.binomials;
+        let binomial = Leading::of_integer(&(&rows[i] * &columns[j]));
+        let scale = binomial.inverse()?.times(self.first)?;
+        self.sums[0].leading(i, j)?.times(scale)
+    }
+
+    /// A coordinate of control point (i, j), by more digits; none if the weight may be 0.
+    #[must_use]
+    pub fn coordinate(&self, axis: usize, (i, j): (usize, usize)) -> Option<Leading> {
+        let inverse = self.sums[0].leading(i, j)?.inverse()?;
         self.sums[axis + 1].leading(i, j)?.times(inverse)
     }
 }
@@ -99,12 +124,24 @@ impl Sum {
         Some(Self::Digits(lists))
     }
 
+    #[inline]
+    fn word(&self, i: usize, j: usize) -> Option<LeadingWord> {
+        match self {
+            Self::Machine(terms) => Some(LeadingWord::of_machine(exact(terms, i, j))),
+            Self::Digits(terms) => {
+                let mut sum = LeadingWord::of_machine(0);
+                for (in_u, in_v) in terms {
+                    let [left, right] = [in_u[i], in_v[j]].map(LeadingWord::of_leading);
+                    sum = sum.plus(left.times(right)?)?;
+                }
+                Some(sum)
+            }
+        }
+    }
+
     fn leading(&self, i: usize, j: usize) -> Option<Leading> {
         match self {
-            Self::Machine(terms) => {
-                let products = terms.iter().map(|[in_u, in_v]| in_u[i] * in_v[j]);
-                Some(Leading::of_integer(&Integer::from(products.sum::<i128>())))
-            }
+            Self::Machine(terms) => Some(Leading::of_integer(&Integer::from(exact(terms, i, j)))),
             Self::Digits(terms) => {
                 let mut sum = Leading::zero();
                 for (in_u, in_v) in terms {
@@ -114,6 +151,12 @@ impl Sum {
             }
         }
     }
+}
+
+/// Σ fₖ[i] gₖ[j]
+#[inline]
+fn exact(terms: &[[Vec<i128>; 2]], i: usize, j: usize) -> i128 {
+    terms.iter().map(|[in_u, in_v]| in_u[i] * in_v[j]).sum()
 }
 
 /// All of a list, if all are known.
