@@ -1,7 +1,7 @@
 //! Σ aₖ xᵏ (1+x)ⁿ⁻ᵏ, as lists of coefficients: the way from powers to Bernstein coefficients.
 
 use super::words::{add, add_integer, integer};
-use super::{Integer, Ring};
+use super::{Integer, MachineList, Ring};
 
 /// The coefficients of Σ aₖ xᵏ (1+x)ⁿ⁻ᵏ for as many k as there are, n + 1 at most: additions only.
 pub(super) fn one_by_one<R: Ring>(powers: &[R], degree: usize) -> Vec<R> {
@@ -29,6 +29,11 @@ pub(super) fn of_integers<R: Ring>(
     degree: usize,
     whole: impl Fn(Integer) -> R,
 ) -> Option<Vec<R>> {
+    if let Some(own) = MachineList::of(powers)
+        && let Some(sums) = MachineList::binomial_sums(own.numbers(), degree)
+    {
+        return Some(sums.elements());
+    }
     let mut bits = 0;
     for own in powers {
         bits = bits.max(own.as_integer()?.bits());
@@ -36,29 +41,10 @@ pub(super) fn of_integers<R: Ring>(
     let count = u64::from(powers.len().max(1).ilog2()) + 1;
     // One digit more for the sign.
     let digits = bits + count + u64::try_from(degree).ok()? + 1;
-    Some(if digits < u64::from(i128::BITS) {
-        let sums = in_machine_numbers(powers, degree).into_iter();
-        sums.map(|own| whole(Integer::from(own))).collect()
-    } else {
-        let width = usize::try_from(digits.div_ceil(64)).ok()?;
-        let words = in_words(powers, degree, width);
-        words
-            .chunks_exact(width)
-            .map(|own| whole(integer(own)))
-            .collect()
-    })
-}
-
-fn in_machine_numbers<R: Ring>(powers: &[R], degree: usize) -> Vec<i128> {
-    let mut sums = vec![0_i128; degree + 1];
-    for order in 0..=degree {
-        for index in (1..=order).rev() {
-            sums[index] += sums[index - 1];
-        }
-        let own = powers.get(order).and_then(Ring::as_integer);
-        sums[order] += own.and_then(Integer::machine).unwrap_or_default();
-    }
-    sums
+    let width = usize::try_from(digits.div_ceil(64)).ok()?;
+    let words = in_words(powers, degree, width);
+    let sums = words.chunks_exact(width);
+    Some(sums.map(|own| whole(integer(own))).collect())
 }
 
 fn in_words<R: Ring>(powers: &[R], degree: usize, width: usize) -> Vec<u64> {

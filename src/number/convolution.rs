@@ -3,12 +3,10 @@
 use num_bigint::{BigInt, Sign};
 
 use super::words::{Signed, add_product, integer, subtract};
-use super::{Integer, Ring};
+use super::{Integer, MachineList, Ring};
 
 /// The bits of a word.
 const WORD: u64 = 64;
-/// The digits of products that are machine numbers.
-const MACHINE: u64 = 127;
 /// Lists of at least so many numbers are packed, …
 const SHORT: usize = 8;
 /// … if a product of two of them takes more products of words than this.
@@ -34,14 +32,15 @@ pub(super) fn of_integers<R: Ring>(
     right: &[R],
     whole: impl Fn(Integer) -> R,
 ) -> Option<Vec<R>> {
+    if let (Some(first), Some(second)) = (MachineList::of(left), MachineList::of(right))
+        && let Some(product) = MachineList::convolution(first.numbers(), second.numbers())
+    {
+        return Some(product.elements());
+    }
     let shorter = left.len().min(right.len());
     let count = u64::from(shorter.max(1).ilog2()) + 1;
     let (first, second) = (size(left)?, size(right)?);
     let bits = first + second + count;
-    if bits <= MACHINE {
-        let products = in_machine_numbers(left, right).into_iter();
-        return Some(products.map(|own| whole(Integer::from(own))).collect());
-    }
     let (left, right) = (Signed::of(left, first), Signed::of(right, second));
     // One bit more for the sign.
     let width = usize::try_from((bits + 1).div_ceil(WORD)).ok()?;
@@ -63,18 +62,6 @@ fn size<R: Ring>(list: &[R]) -> Option<u64> {
         bits = bits.max(own.as_integer()?.bits());
     }
     Some(bits)
-}
-
-fn in_machine_numbers<R: Ring>(left: &[R], right: &[R]) -> Vec<i128> {
-    let machine = |own: &R| own.as_integer().and_then(Integer::machine);
-    let right: Vec<i128> = right.iter().filter_map(machine).collect();
-    let mut product = vec![0; left.len() + right.len() - 1];
-    for (i, own) in left.iter().filter_map(machine).enumerate() {
-        for (sum, other) in product[i..].iter_mut().zip(&right) {
-            *sum += own * other;
-        }
-    }
-    product
 }
 
 /// The product number by number, each of its coefficients in so many words of two's complement.

@@ -25,20 +25,21 @@ pub fn gcd(left: &Integer, right: &Integer) -> Integer {
 }
 
 fn of_machine(left: i128, right: i128) -> Integer {
-    of_double_words(left.unsigned_abs(), right.unsigned_abs())
+    of_sizes(left.unsigned_abs(), right.unsigned_abs()).into()
 }
 
-fn of_double_words(left: u128, right: u128) -> Integer {
+/// The greatest common divisor of double words.
+pub(super) fn of_sizes(left: u128, right: u128) -> u128 {
     let (lesser, greater) = (left.min(right), left.max(right));
     match u64::try_from(lesser) {
-        Ok(0) => greater.into(),
-        Ok(1) => Ring::one(),
+        Ok(0) => greater,
+        Ok(1) => 1,
         // One remainder makes a word of a longer number.
         Ok(word) => match u64::try_from(greater % lesser) {
             Ok(rest) => word.gcd(&rest).into(),
-            Err(_) => lesser.gcd(&greater).into(),
+            Err(_) => lesser.gcd(&greater),
         },
-        Err(_) => lesser.gcd(&greater).into(),
+        Err(_) => lesser.gcd(&greater),
     }
 }
 
@@ -68,7 +69,7 @@ fn lehmer(left: &Integer, right: &Integer) -> Integer {
     if greater.len() > 2 {
         greater = (positive(&greater) % positive(&lesser)).digits();
     }
-    of_double_words(double_word(&greater), double_word(&lesser))
+    of_sizes(double_word(&greater), double_word(&lesser)).into()
 }
 
 /// The number of two digits at most.

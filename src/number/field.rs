@@ -12,6 +12,8 @@ pub trait Ring: Clone + PartialEq + Eq + Debug + Send + Sync + 'static {
     fn zero() -> Self;
     /// 1
     fn one() -> Self;
+    /// 1, which always stands at the same place.
+    fn unit() -> &'static Self;
     /// The image of a rational integer.
     fn from_integer(value: &Integer) -> Self;
     /// Whether it is 0.

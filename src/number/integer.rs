@@ -29,7 +29,7 @@ impl Integer {
 
     /// A number known to be no −2¹²⁷.
     #[inline]
-    pub(super) fn of_machine(value: i128) -> Self {
+    pub(super) const fn of_machine(value: i128) -> Self {
         Self(Form::Machine(value))
     }
 
@@ -342,6 +342,11 @@ impl Ring for Integer {
     #[inline]
     fn one() -> Self {
         Self::of_machine(1)
+    }
+
+    fn unit() -> &'static Self {
+        static ONE: Integer = Integer::of_machine(1);
+        &ONE
     }
 
     fn from_integer(value: &Integer) -> Self {

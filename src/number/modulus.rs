@@ -87,13 +87,8 @@ impl Modulus {
     /// The image of an integer.
     #[must_use]
     pub fn embed_integer(&self, value: &Integer) -> u64 {
-        if let Some(word) = value.machine().and_then(|own| i64::try_from(own).ok()) {
-            let image = self.embed(word.unsigned_abs());
-            return if word < 0 {
-                self.minus(0, image)
-            } else {
-                image
-            };
+        if let Some(own) = value.machine() {
+            return self.embed_machine(own);
         }
         // Digits d_k of 64 bits: Horner's rule in the base 2⁶⁴, whose image is 2¹²⁸ mod q.
         let sum = value.fold_digits(0, |sum, digit| {
@@ -103,6 +98,27 @@ impl Modulus {
             self.minus(0, sum)
         } else {
             sum
+        }
+    }
+
+    /// The image of a machine number.
+    #[must_use]
+    #[inline]
+    pub fn embed_machine(&self, value: i128) -> u64 {
+        let size = value.unsigned_abs();
+        let image = match u64::try_from(size) {
+            Ok(word) => self.embed(word),
+            Err(_) => {
+                let word =
+                    |own: u128| u64::try_from(own & u128::from(u64::MAX)).unwrap_or_default();
+                let above = self.embed(word(size >> 64));
+                self.plus(self.times(above, self.square), self.embed(word(size)))
+            }
+        };
+        if value < 0 {
+            self.minus(0, image)
+        } else {
+            image
         }
     }
 

@@ -209,6 +209,11 @@ impl Ring for SurdInteger {
         Self::Rational(Ring::one())
     }
 
+    fn unit() -> &'static Self {
+        static ONE: SurdInteger = SurdInteger::Rational(Integer::of_machine(1));
+        &ONE
+    }
+
     fn from_integer(value: &Integer) -> Self {
         Self::Rational(value.clone())
     }

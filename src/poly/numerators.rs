@@ -4,25 +4,29 @@ use std::fmt;
 use std::ops::Deref;
 use std::rc::Rc;
 
-use crate::number::{Integer, Place, Ring, gcd};
+use crate::number::{Integer, MachineList, Place, Ring, gcd};
 
-/// The numerators of a polynomial, which copies share; a constant needs no memory of its own.
+/// The numerators of a polynomial that is not 0, in the form that suits them.
+///
+/// Canonical but for products: machine numbers are always held as such.
 #[derive(Clone)]
 pub(super) enum Numerators<R> {
-    Zero,
-    Constant(R),
-    /// Two at least.
-    Several(Rc<Shared<R>>),
+    Machine(Machine<R>),
+    /// Of which one is longer than a machine number, or irrational.
+    Ring(Rc<Vec<R>>),
+    Product(Rc<Lazy<R>>),
 }
 
-/// A list, and what was found out about it.
-pub(super) struct Shared<R> {
-    length: usize,
+/// Machine numbers, as elements of the ring for those who ask for such.
+pub(super) struct Machine<R> {
+    list: MachineList,
+    elements: OnceCell<Vec<R>>,
+}
+
+/// A product, multiplied out for those who ask for its coefficients.
+pub(super) struct Lazy<R> {
+    product: Product<R>,
     list: OnceCell<Vec<R>>,
-    /// What the list is multiplied out from, when it is asked for; none for one that was given.
-    product: Option<Product<R>>,
-    /// The primitive list that it is a multiple of; none if that is the list itself.
-    primitive: OnceCell<Option<Numerators<R>>>,
 }
 
 /// f g / d for polynomials over the integers, of which none is 0, and a divisor of their contents.
@@ -35,23 +39,13 @@ pub(super) struct Product<R> {
 impl<R: Ring> Numerators<R> {
     /// f g / d, multiplied out when the coefficients are asked for.
     pub(super) fn product(left: Self, right: Self, divisor: Integer) -> Self {
-        Self::shared(
-            left.len() + right.len() - 1,
-            OnceCell::new(),
-            Some(Product {
+        Self::Product(Rc::new(Lazy {
+            product: Product {
                 left,
                 right,
                 divisor,
-            }),
-        )
-    }
-
-    fn shared(length: usize, list: OnceCell<Vec<R>>, product: Option<Product<R>>) -> Self {
-        Self::Several(Rc::new(Shared {
-            length,
-            list,
-            product,
-            primitive: OnceCell::new(),
+            },
+            list: OnceCell::new(),
         }))
     }
 
@@ -59,7 +53,16 @@ impl<R: Ring> Numerators<R> {
     #[inline]
     pub(super) fn factors(&self) -> Option<&Product<R>> {
         match self {
-            Self::Several(own) if own.list.get().is_none() => own.product.as_ref(),
+            Self::Product(own) if own.list.get().is_none() => Some(&own.product),
+            _ => None,
+        }
+    }
+
+    /// The numbers, if they are held as machine numbers.
+    #[inline]
+    pub(super) fn machine(&self) -> Option<&MachineList> {
+        match self {
+            Self::Machine(own) => Some(&own.list),
             _ => None,
         }
     }
@@ -67,39 +70,56 @@ impl<R: Ring> Numerators<R> {
     #[inline]
     pub(super) fn len(&self) -> usize {
         match self {
-            Self::Zero => 0,
-            Self::Constant(_) => 1,
-            Self::Several(own) => own.length,
+            Self::Machine(own) => own.list.numbers().len(),
+            Self::Ring(own) => own.len(),
+            Self::Product(own) => own.product.len(),
         }
     }
 
-    pub(super) fn is_empty(&self) -> bool {
-        matches!(self, Self::Zero)
-    }
-
-    /// The coefficient of the lowest power; none for 0.
+    /// The coefficient of the lowest power; none for an empty list.
     pub(super) fn first(&self) -> Option<Cow<'_, R>> {
-        match self.factors() {
-            Some(own) => Some(own.end(&*own.left.first()?, &*own.right.first()?)),
-            None => (**self).first().map(Cow::Borrowed),
-        }
+        self.end(|list| list.first(), <[R]>::first)
     }
 
-    /// The coefficient of the highest power; none for 0.
+    /// The coefficient of the highest power; none for an empty list.
     pub(super) fn last(&self) -> Option<Cow<'_, R>> {
-        match self.factors() {
-            Some(own) => Some(own.end(&*own.left.last()?, &*own.right.last()?)),
-            None => (**self).last().map(Cow::Borrowed),
+        self.end(|list| list.last(), <[R]>::last)
+    }
+
+    fn end(
+        &self,
+        of_machine: fn(&[i128]) -> Option<&i128>,
+        of_ring: fn(&[R]) -> Option<&R>,
+    ) -> Option<Cow<'_, R>> {
+        if let Some(own) = self.machine() {
+            let own = Integer::from(*of_machine(own.numbers())?);
+            return Some(Cow::Owned(R::from_integer(&own)));
         }
+        let Some(own) = self.factors() else {
+            return of_ring(self).map(Cow::Borrowed);
+        };
+        let left = own.left.end(of_machine, of_ring)?;
+        let right = own.right.end(of_machine, of_ring)?;
+        Some(Cow::Owned(left.times(&right).divided(&own.divisor)))
     }
 
     /// Whether all are rational integers.
+    #[inline]
     pub(super) fn is_rational(&self) -> bool {
-        self.factors().is_some() || self.iter().all(|own| own.height() == 0)
+        match self {
+            Self::Machine(_) | Self::Product(_) => true,
+            Self::Ring(own) => own.iter().all(|own| own.height() == 0),
+        }
     }
 
     /// The greatest integer that divides all of them, and a given one.
     pub(super) fn content_with(&self, with: &Integer) -> Integer {
+        if with.is_one() {
+            return Integer::from(1);
+        }
+        if let (Some(own), Some(with)) = (self.machine(), with.machine()) {
+            return own.content_with(with.unsigned_abs()).into();
+        }
         if let Some(own) = self.factors() {
             // Gauss's lemma
             let zero = <Integer as Ring>::zero();
@@ -116,15 +136,38 @@ impl<R: Ring> Numerators<R> {
         common
     }
 
+    /// All divided by an integer that divides them, and is not 0.
+    pub(super) fn divided(self, divisor: &Integer) -> Self {
+        if divisor.is_one() {
+            return self;
+        }
+        match (&self, divisor.machine()) {
+            (Self::Machine(own), Some(divisor)) => own.list.divided(divisor).into(),
+            _ if self.factors().is_some() => {
+                let sign = if Ring::sign(divisor).is_lt() { -1 } else { 1 };
+                let sign = R::from_integer(&Integer::from(sign));
+                Self::product(self, vec![sign].into(), divisor.abs())
+            }
+            _ => {
+                let quotients = self.iter().map(|own| own.divided(divisor));
+                quotients.collect::<Vec<_>>().into()
+            }
+        }
+    }
+
     /// The images at a place.
     pub(super) fn image(&self, place: &Place) -> Vec<u64> {
-        let Some(own) = self.factors() else {
-            return self.iter().map(|own| own.image(place)).collect();
-        };
         let modulus = place.modulus();
+        if let Some(own) = self.machine() {
+            return own.images(modulus);
+        }
+        let one_by_one = || self.iter().map(|own| own.image(place)).collect();
+        let Some(own) = self.factors() else {
+            return one_by_one();
+        };
         let divisor = modulus.embed_integer(&own.divisor);
         if divisor == 0 {
-            return self.iter().map(|own| own.image(place)).collect();
+            return one_by_one();
         }
         let scale = modulus.inverse(divisor);
         let right = own.right.image(place);
@@ -137,22 +180,11 @@ impl<R: Ring> Numerators<R> {
         }
         sums
     }
-
-    /// The primitive list that it is a multiple of, which is sought once; none if that is the list
-    /// itself.
-    pub(super) fn primitive(&self, find: impl FnOnce() -> Option<Self>) -> Self {
-        let found = match self {
-            Self::Several(own) => own.primitive.get_or_init(find).clone(),
-            _ => find(),
-        };
-        found.unwrap_or_else(|| self.clone())
-    }
 }
 
 impl<R: Ring> Product<R> {
-    /// The coefficient at an end, from those of the factors.
-    fn end(&self, left: &R, right: &R) -> Cow<'_, R> {
-        Cow::Owned(left.times(right).divided(&self.divisor))
+    fn len(&self) -> usize {
+        self.left.len() + self.right.len() - 1
     }
 
     fn multiplied(&self) -> Vec<R> {
@@ -165,15 +197,25 @@ impl<R: Ring> Product<R> {
     }
 }
 
+impl<R: Clone> Clone for Machine<R> {
+    fn clone(&self) -> Self {
+        Self {
+            list: self.list.clone(),
+            elements: OnceCell::new(),
+        }
+    }
+}
+
 impl<R: Ring> PartialEq for Numerators<R> {
     fn eq(&self, other: &Self) -> bool {
-        if let (Self::Several(own), Self::Several(other)) = (self, other)
-            && Rc::ptr_eq(own, other)
-        {
-            return true;
+        match (self, other) {
+            (Self::Machine(own), Self::Machine(other)) => return own.list == other.list,
+            (Self::Ring(own), Self::Ring(other)) => return own == other,
+            (Self::Machine(_), Self::Ring(_)) | (Self::Ring(_), Self::Machine(_)) => return false,
+            (Self::Product(own), Self::Product(other)) if Rc::ptr_eq(own, other) => return true,
+            _ => {}
         }
         match (self.factors(), other.factors()) {
-            (None, None) => **self == **other,
             (Some(own), Some(other)) if own.left == other.left && own.right == other.right => {
                 own.divisor == other.divisor
             }
@@ -191,18 +233,21 @@ impl<R: Ring> fmt::Debug for Numerators<R> {
     }
 }
 
-impl<R: Ring> From<Vec<R>> for Numerators<R> {
-    fn from(mut list: Vec<R>) -> Self {
-        if list.len() > 1 {
-            return Self::shared(list.len(), list.into(), None);
-        }
-        list.pop().map_or(Self::Zero, Self::Constant)
+impl<R: Ring> From<MachineList> for Numerators<R> {
+    fn from(list: MachineList) -> Self {
+        Self::Machine(Machine {
+            list,
+            elements: OnceCell::new(),
+        })
     }
 }
 
-impl<R: Ring> FromIterator<R> for Numerators<R> {
-    fn from_iter<I: IntoIterator<Item = R>>(list: I) -> Self {
-        Vec::from_iter(list).into()
+impl<R: Ring> From<Vec<R>> for Numerators<R> {
+    fn from(list: Vec<R>) -> Self {
+        match MachineList::of(&list) {
+            Some(own) => own.into(),
+            None => Self::Ring(Rc::new(list)),
+        }
     }
 }
 
@@ -211,12 +256,9 @@ impl<R: Ring> Deref for Numerators<R> {
 
     fn deref(&self) -> &[R] {
         match self {
-            Self::Zero => &[],
-            Self::Constant(own) => std::slice::from_ref(own),
-            Self::Several(own) => own.list.get_or_init(|| {
-                let product = own.product.as_ref();
-                product.map(Product::multiplied).unwrap_or_default()
-            }),
+            Self::Machine(own) => own.elements.get_or_init(|| own.list.elements()),
+            Self::Ring(own) => own,
+            Self::Product(own) => own.list.get_or_init(|| own.product.multiplied()),
         }
     }
 }

@@ -1,52 +1,43 @@
 use std::borrow::Cow;
+use std::cell::OnceCell;
 use std::fmt;
-use std::ops::{Add, Mul, Neg, Sub};
+use std::rc::Rc;
 
-use crate::number::{Field, Integer, Place, Ring, lcm};
+use crate::number::{Field, Integer, MachineList, Place, Ring, lcm};
 
 use super::numerators::Numerators;
-
-/// Products of two polynomials with so many coefficients are multiplied out only when asked for.
-const LONG: usize = 16;
 
 /// A polynomial in one variable, Σ (nᵢ / d) xⁱ.
 ///
 /// Canonical: the last numerator is not 0, d > 0, and no integer above 1 divides d and all
 /// numerators; so equality of values is equality of representations. The zero polynomial has no
-/// numerators, and no degree.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct UniPoly<F: Field> {
-    numerators: Numerators<F::Ring>,
+/// numerators, and no degree. Copies share their memory.
+#[derive(Clone)]
+pub struct UniPoly<F: Field>(Form<F::Ring>);
+
+#[derive(Clone)]
+enum Form<R> {
+    Zero,
+    One,
+    Other(Rc<Body<R>>),
+}
+
+/// A polynomial other than 0 and 1.
+struct Body<R> {
+    numerators: Numerators<R>,
     denominator: Integer,
+    /// The primitive multiple, once it is found; none if it is the polynomial itself.
+    primitive: OnceCell<Option<Form<R>>>,
 }
 
 impl<F: Field> UniPoly<F> {
     /// Σ (nᵢ / d) xⁱ from ascending numerators; d is not 0.
     #[must_use]
-    pub fn from_numerators(mut numerators: Vec<F::Ring>, mut denominator: Integer) -> Self {
+    pub fn from_numerators(mut numerators: Vec<F::Ring>, denominator: Integer) -> Self {
         while numerators.last().is_some_and(Ring::is_zero) {
             numerators.pop();
         }
-        let mut common = denominator.clone();
-        for own in numerators.iter().rev() {
-            if common.is_one() {
-                break;
-            }
-            common = own.content_with(&common);
-        }
-        if Ring::sign(&denominator).is_lt() {
-            common = -common;
-        }
-        if !common.is_one() {
-            denominator /= &common;
-            for numerator in &mut numerators {
-                *numerator = numerator.divided(&common);
-            }
-        }
-        Self {
-            numerators: numerators.into(),
-            denominator,
-        }
+        Self::lowest(numerators.into(), denominator)
     }
 
     /// Σ cᵢ xⁱ from ascending coefficients.
@@ -66,114 +57,138 @@ impl<F: Field> UniPoly<F> {
         while numerators.last().is_some_and(Ring::is_zero) {
             numerators.pop();
         }
-        Self {
-            numerators: numerators.into(),
-            denominator,
+        Self::of_parts(numerators.into(), denominator)
+    }
+
+    /// From numerators of which the last is not 0; d is not 0.
+    pub(super) fn lowest(numerators: Numerators<F::Ring>, denominator: Integer) -> Self {
+        let mut common = numerators.content_with(&denominator);
+        if Ring::sign(&denominator).is_lt() {
+            common = -common;
         }
+        if common.is_one() {
+            return Self::of_parts(numerators, denominator);
+        }
+        Self::of_parts(numerators.divided(&common), denominator / common)
+    }
+
+    /// From parts in lowest terms.
+    pub(super) fn of_parts(numerators: Numerators<F::Ring>, denominator: Integer) -> Self {
+        let is_one = |own: &MachineList| own.numbers() == [1] && denominator.is_one();
+        Self(match numerators.machine() {
+            Some(own) if own.numbers().is_empty() => Form::Zero,
+            Some(own) if is_one(own) => Form::One,
+            _ => Form::Other(Rc::new(Body {
+                numerators,
+                denominator,
+                primitive: OnceCell::new(),
+            })),
+        })
     }
 
     /// 0
     #[must_use]
     pub fn zero() -> Self {
-        Self {
-            numerators: Numerators::Zero,
-            denominator: Integer::one(),
-        }
+        Self(Form::Zero)
     }
 
     /// 1
     #[must_use]
     pub fn one() -> Self {
-        Self {
-            numerators: Numerators::Constant(F::Ring::one()),
-            denominator: Integer::one(),
-        }
+        Self(Form::One)
     }
 
     /// x
     #[must_use]
     pub fn variable() -> Self {
-        Self::from_numerators(vec![F::Ring::zero(), F::Ring::one()], Integer::one())
+        Self::one().shift(1)
     }
 
     /// The constant polynomial c.
     #[must_use]
     pub fn constant(value: &F) -> Self {
         let (numerator, denominator) = value.parts();
-        let numerators = if numerator.is_zero() {
-            Numerators::Zero
-        } else {
-            Numerators::Constant(numerator)
-        };
-        Self {
-            numerators,
-            denominator,
+        if numerator.is_zero() {
+            return Self::zero();
+        }
+        Self::of_parts(vec![numerator].into(), denominator)
+    }
+
+    fn body(&self) -> Option<&Body<F::Ring>> {
+        match &self.0 {
+            Form::Other(own) => Some(own),
+            Form::Zero | Form::One => None,
         }
     }
 
-    /// p + q + …
-    #[must_use]
-    pub fn sum(terms: &[&Self]) -> Self {
-        if let [only] = terms {
-            return (*only).clone();
+    /// The numerators, if they are held as machine numbers.
+    #[inline]
+    pub(super) fn machine(&self) -> Option<&[i128]> {
+        match &self.0 {
+            Form::Zero => Some(&[]),
+            Form::One => Some(&[1]),
+            Form::Other(own) => own.numerators.machine().map(MachineList::numbers),
         }
-        let common = terms
-            .iter()
-            .fold(Integer::one(), |all, own| lcm(&all, &own.denominator));
-        let length = terms.iter().map(|own| own.numerators.len()).max();
-        let mut sums = vec![F::Ring::zero(); length.unwrap_or(0)];
-        for term in terms {
-            let factor = &common / &term.denominator;
-            let scaled = F::Ring::from_integer(&factor);
-            for (sum, own) in sums.iter_mut().zip(&*term.numerators) {
-                if !own.is_zero() {
-                    sum.add_product(own, &scaled);
-                }
-            }
+    }
+
+    /// The numerators as they are held.
+    pub(super) fn held(&self) -> Numerators<F::Ring> {
+        match &self.0 {
+            Form::Zero => Vec::new().into(),
+            Form::One => vec![F::Ring::one()].into(),
+            Form::Other(own) => own.numerators.clone(),
         }
-        Self::from_numerators(sums, common)
+    }
+
+    fn length(&self) -> usize {
+        match &self.0 {
+            Form::Zero => 0,
+            Form::One => 1,
+            Form::Other(own) => own.numerators.len(),
+        }
     }
 
     /// The degree; none for 0.
     #[must_use]
     pub fn degree(&self) -> Option<usize> {
-        self.numerators.len().checked_sub(1)
+        self.length().checked_sub(1)
     }
 
     /// Whether it is 0.
     #[must_use]
+    #[inline]
     pub fn is_zero(&self) -> bool {
-        self.numerators.is_empty()
+        matches!(self.0, Form::Zero)
     }
 
     /// Whether it is 1.
     #[must_use]
+    #[inline]
     pub fn is_one(&self) -> bool {
-        matches!(&self.numerators, Numerators::Constant(own) if own.is_one())
-            && self.denominator.is_one()
+        matches!(self.0, Form::One)
     }
 
     /// Whether it is a constant, 0 included.
     #[must_use]
     pub fn is_constant(&self) -> bool {
-        self.numerators.len() <= 1
+        self.length() <= 1
     }
 
     /// Whether all coefficients are rational numbers.
     #[must_use]
     pub fn is_rational(&self) -> bool {
-        self.numerators.is_rational()
+        self.body().is_none_or(|own| own.numerators.is_rational())
     }
 
     /// Whether it is the product of a number and a polynomial with rational coefficients.
     #[must_use]
     pub fn is_rational_up_to_a_factor(&self) -> bool {
+        if self.is_rational() {
+            return true;
+        }
         let unit = |own: &F::Ring| own.divided(&own.content());
-        let mut units = self
-            .numerators
-            .iter()
-            .filter(|own| !own.is_zero())
-            .map(unit);
+        let numerators = self.numerators().iter().filter(|own| !own.is_zero());
+        let mut units = numerators.map(unit);
         let Some(first) = units.next() else {
             return true;
         };
@@ -184,54 +199,74 @@ impl<F: Field> UniPoly<F> {
     /// The numerators nᵢ, ascending.
     #[must_use]
     pub fn numerators(&self) -> &[F::Ring] {
-        &self.numerators
+        match &self.0 {
+            Form::Zero => &[],
+            Form::One => std::slice::from_ref(F::Ring::unit()),
+            Form::Other(own) => &own.numerators,
+        }
     }
 
     /// The numerator of the highest power; none for 0.
     #[must_use]
     pub fn leading_numerator(&self) -> Option<Cow<'_, F::Ring>> {
-        self.numerators.last()
+        match &self.0 {
+            Form::Zero => None,
+            Form::One => Some(Cow::Borrowed(F::Ring::unit())),
+            Form::Other(own) => own.numerators.last(),
+        }
     }
 
     /// f, g and d of a product f(x) g(x) / d that is not multiplied out yet.
     #[must_use]
     pub fn factors(&self) -> Option<(Self, Self, Integer)> {
-        let product = self.numerators.factors()?;
-        let whole = |numerators: &Numerators<F::Ring>| Self {
-            numerators: numerators.clone(),
-            denominator: Integer::one(),
-        };
-        let below = &product.divisor * &self.denominator;
+        let body = self.body()?;
+        let product = body.numerators.factors()?;
+        let whole = |own: &Numerators<F::Ring>| Self::of_parts(own.clone(), Integer::one());
+        let below = &product.divisor * &body.denominator;
         Some((whole(&product.left), whole(&product.right), below))
     }
 
     /// The images of the numerators at a place for them.
     pub(super) fn image(&self, place: &Place) -> Vec<u64> {
-        self.numerators.image(place)
+        match &self.0 {
+            Form::Zero => Vec::new(),
+            Form::One => vec![place.modulus().one()],
+            Form::Other(own) => own.numerators.image(place),
+        }
     }
 
     /// The numerator that lies in the largest field; none if all are rational.
     pub(super) fn highest(&self) -> Option<&F::Ring> {
         let irrational = !self.is_rational();
-        irrational.then(|| self.numerators.iter().max_by_key(|own| own.height()))?
+        irrational.then(|| self.numerators().iter().max_by_key(|own| own.height()))?
     }
 
     /// The common denominator d.
     #[must_use]
     pub fn denominator(&self) -> &Integer {
-        &self.denominator
+        match self.body() {
+            Some(own) => &own.denominator,
+            None => Integer::unit(),
+        }
     }
 
     /// The coefficient of xⁱ.
     #[must_use]
     pub fn coefficient(&self, power: usize) -> F {
+        let Some(body) = self.body() else {
+            return match power {
+                0 if self.is_one() => F::one(),
+                _ => F::zero(),
+            };
+        };
+        let numerators = &body.numerators;
         let numerator = match power {
-            0 => self.numerators.first(),
-            _ if power + 1 == self.numerators.len() => self.numerators.last(),
-            _ => self.numerators.get(power).map(Cow::Borrowed),
+            0 => numerators.first(),
+            _ if power + 1 == numerators.len() => numerators.last(),
+            _ => numerators.get(power).map(Cow::Borrowed),
         };
         match numerator {
-            Some(numerator) => F::from_parts(numerator.into_owned(), self.denominator.clone()),
+            Some(numerator) => F::from_parts(numerator.into_owned(), body.denominator.clone()),
             None => F::zero(),
         }
     }
@@ -239,9 +274,9 @@ impl<F: Field> UniPoly<F> {
     /// All coefficients, ascending.
     #[must_use]
     pub fn coefficients(&self) -> Vec<F> {
-        let numerators = self.numerators.iter();
+        let numerators = self.numerators().iter();
         numerators
-            .map(|own| F::from_parts(own.clone(), self.denominator.clone()))
+            .map(|own| F::from_parts(own.clone(), self.denominator().clone()))
             .collect()
     }
 
@@ -252,114 +287,35 @@ impl<F: Field> UniPoly<F> {
             .map_or_else(F::zero, |degree| self.coefficient(degree))
     }
 
-    /// c p(x)
-    #[must_use]
-    pub fn scale(&self, factor: &F) -> Self {
-        if factor.is_one() {
-            return self.clone();
-        }
-        if factor.is_zero() {
-            return Self::zero();
-        }
-        let factor = Self::constant(factor);
-        if self.numerators.factors().is_some() {
-            return self.joined(&factor);
-        }
-        let numerator = &factor.numerators[0];
-        let scaled = self.numerators.iter().map(|own| own.times(numerator));
-        self.multiplied(&factor, scaled.collect())
-    }
-
-    /// The product with a polynomial that is not 0, from the products of the numerators.
-    fn multiplied(&self, other: &Self, product: Vec<F::Ring>) -> Self {
-        if !self.is_rational() || !other.is_rational() {
-            return Self::from_numerators(product, &self.denominator * &other.denominator);
-        }
-        self.over(other, |common| {
-            if common.is_one() {
-                product.into()
-            } else {
-                product.iter().map(|own| own.divided(&common)).collect()
-            }
-        })
-    }
-
-    /// The product of polynomials over the rationals, multiplied out when it is asked for.
-    fn joined(&self, other: &Self) -> Self {
-        self.over(other, |common| {
-            Numerators::product(self.numerators.clone(), other.numerators.clone(), common)
-        })
-    }
-
-    /// The product of polynomials over the rationals in lowest terms, from its numerators divided
-    /// by an integer.
-    ///
-    /// Over the integers the content of a product is the product of the contents, so only crosswise
-    /// is there something to cancel.   (Gauss's lemma)
-    fn over(&self, other: &Self, divided: impl FnOnce(Integer) -> Numerators<F::Ring>) -> Self {
-        let first = self.numerators.content_with(&other.denominator);
-        let second = other.numerators.content_with(&self.denominator);
-        Self {
-            numerators: divided(&first * &second),
-            denominator: (&self.denominator / second) * (&other.denominator / first),
-        }
-    }
-
     /// xⁿ p(x)
     #[must_use]
     pub fn shift(&self, power: usize) -> Self {
         if self.is_zero() {
             return Self::zero();
         }
-        let mut numerators = Vec::with_capacity(power + self.numerators.len());
+        let mut numerators = Vec::with_capacity(power + self.length());
         numerators.resize(power, F::Ring::zero());
-        numerators.extend_from_slice(&self.numerators);
-        Self {
-            numerators: numerators.into(),
-            denominator: self.denominator.clone(),
-        }
-    }
-
-    /// p(x)ⁿ
-    #[must_use]
-    pub fn power(&self, exponent: u32) -> Self {
-        if exponent == 1 {
-            return self.clone();
-        }
-        if let ([zero, one], Ok(power)) = (&*self.numerators, usize::try_from(exponent))
-            && zero.is_zero()
-            && one.is_one()
-            && self.denominator.is_one()
-        {
-            return Self::one().shift(power);
-        }
-        let mut result = Self::one();
-        for bit in (0..u32::BITS - exponent.leading_zeros()).rev() {
-            result = &result * &result;
-            if exponent >> bit & 1 == 1 {
-                result = &result * self;
-            }
-        }
-        result
+        numerators.extend_from_slice(self.numerators());
+        Self::of_parts(numerators.into(), self.denominator().clone())
     }
 
     /// p′(x)
     #[must_use]
     pub fn derivative(&self) -> Self {
-        let numerators = self.numerators.iter().enumerate().skip(1);
+        let numerators = self.numerators().iter().enumerate().skip(1);
         let numerators = numerators.map(|(power, own)| own.scaled(&Integer::from(power)));
-        Self::from_numerators(numerators.collect(), self.denominator.clone())
+        Self::from_numerators(numerators.collect(), self.denominator().clone())
     }
 
     /// The polynomial P with P′ = p and P(0) = 0.
     #[must_use]
     pub fn antiderivative(&self) -> Self {
-        let powers = 1..=self.numerators.len();
+        let powers = 1..=self.length();
         let common = powers.fold(Integer::one(), |all, own| lcm(&all, &Integer::from(own)));
-        let terms = self.numerators.iter().enumerate();
+        let terms = self.numerators().iter().enumerate();
         let terms = terms.map(|(power, own)| own.scaled(&(&common / Integer::from(power + 1))));
         let numerators = std::iter::once(F::Ring::zero()).chain(terms);
-        Self::from_numerators(numerators.collect(), &self.denominator * &common)
+        Self::from_numerators(numerators.collect(), self.denominator() * &common)
     }
 
     /// p(x) at a number, by Horner's rule on numerator and denominator.
@@ -371,13 +327,13 @@ impl<F: Field> UniPoly<F> {
         let (numerator, denominator) = at.parts();
         let mut value = F::Ring::zero();
         let mut power = Integer::one();
-        for (step, own) in self.numerators.iter().rev().enumerate() {
+        for (step, own) in self.numerators().iter().rev().enumerate() {
             if step > 0 {
                 power *= &denominator;
             }
             value = value.times(&numerator).plus(&own.scaled(&power));
         }
-        F::from_parts(value, &self.denominator * power)
+        F::from_parts(value, self.denominator() * power)
     }
 
     /// p(q(x))
@@ -406,127 +362,71 @@ impl<F: Field> UniPoly<F> {
     /// Over a field other than the rationals the leading coefficient is first made rational.
     #[must_use]
     pub fn primitive(&self) -> Self {
-        Self {
-            numerators: self.numerators.primitive(|| self.find_primitive()),
-            denominator: Integer::one(),
-        }
+        let Some(body) = self.body() else {
+            return self.clone();
+        };
+        let found = body.primitive.get_or_init(|| self.find_primitive());
+        Self(found.as_ref().unwrap_or(&self.0).clone())
     }
 
-    /// The numerators of the primitive multiple; none if they are those of the polynomial.
-    fn find_primitive(&self) -> Option<Numerators<F::Ring>> {
-        let lead = self.numerators.last()?;
-        if !self.numerators.is_rational() && lead.height() > 0 {
-            let own = self.monic().primitive().numerators;
-            return (own != self.numerators).then_some(own);
+    /// None for the polynomial itself.
+    fn find_primitive(&self) -> Option<Form<F::Ring>> {
+        let lead = self.leading_numerator()?;
+        if lead.height() > 0 {
+            let own = self.monic().primitive();
+            return (own != *self).then_some(own.0);
         }
         let content = self.content();
-        let negative = lead.sign().is_lt();
-        if self.numerators.factors().is_some() {
-            let sign = F::Ring::from_integer(&Integer::from(if negative { -1 } else { 1 }));
-            let changed = negative || !content.is_one();
-            return changed.then(|| {
-                Numerators::product(self.numerators.clone(), Numerators::Constant(sign), content)
-            });
+        let divisor = if lead.sign().is_lt() {
+            -content
+        } else {
+            content
+        };
+        if divisor.is_one() && self.denominator().is_one() {
+            return None;
         }
-        let numerators = self.numerators.iter();
-        match (content.is_one(), negative) {
-            (true, false) => None,
-            (true, true) => Some(numerators.map(Ring::negated).collect()),
-            (false, _) => {
-                let divisor = if negative { -content } else { content };
-                Some(numerators.map(|own| own.divided(&divisor)).collect())
-            }
-        }
+        let numerators = self.held().divided(&divisor);
+        Some(Self::of_parts(numerators, Integer::one()).0)
     }
 
     /// The greatest integer that divides every numerator; 0 for 0.
     #[must_use]
     pub fn content(&self) -> Integer {
-        self.numerators.content_with(&Integer::zero())
+        self.content_with(&Integer::zero())
     }
 
-    /// Whether a product is better left alone until its coefficients are asked for.
-    fn is_long_product(&self, other: &Self) -> bool {
-        let length = self.numerators.len().min(other.numerators.len());
-        length >= LONG && self.is_rational() && other.is_rational()
+    /// The greatest integer that divides every numerator, and a given one.
+    pub(super) fn content_with(&self, with: &Integer) -> Integer {
+        match &self.0 {
+            Form::Zero => with.abs(),
+            Form::One => Integer::one(),
+            Form::Other(own) => own.numerators.content_with(with),
+        }
     }
+}
 
-    fn combine(&self, other: &Self, add: impl Fn(&F::Ring, &F::Ring) -> F::Ring) -> Self {
-        let common = lcm(&self.denominator, &other.denominator);
-        let (left, right) = (&common / &self.denominator, &common / &other.denominator);
-        let zero = F::Ring::zero();
-        let length = self.numerators.len().max(other.numerators.len());
-        let at = |list: &[F::Ring], index: usize, factor: &Integer| {
-            let value = list.get(index).unwrap_or(&zero);
-            if factor.is_one() {
-                value.clone()
-            } else {
-                value.scaled(factor)
+impl<F: Field> PartialEq for UniPoly<F> {
+    fn eq(&self, other: &Self) -> bool {
+        match (&self.0, &other.0) {
+            (Form::Zero, Form::Zero) | (Form::One, Form::One) => true,
+            (Form::Other(own), Form::Other(other)) => {
+                Rc::ptr_eq(own, other)
+                    || (own.denominator == other.denominator && own.numerators == other.numerators)
             }
-        };
-        let numerators = (0..length)
-            .map(|index| {
-                add(
-                    &at(&self.numerators, index, &left),
-                    &at(&other.numerators, index, &right),
-                )
-            })
-            .collect();
-        Self::from_numerators(numerators, common)
-    }
-}
-
-impl<F: Field> Add for &UniPoly<F> {
-    type Output = UniPoly<F>;
-    fn add(self, other: Self) -> UniPoly<F> {
-        match (self.is_zero(), other.is_zero()) {
-            (true, _) => return other.clone(),
-            (_, true) => return self.clone(),
-            _ => {}
-        }
-        self.combine(other, Ring::plus)
-    }
-}
-
-impl<F: Field> Sub for &UniPoly<F> {
-    type Output = UniPoly<F>;
-    fn sub(self, other: Self) -> UniPoly<F> {
-        if other.is_zero() {
-            return self.clone();
-        }
-        self.combine(other, Ring::minus)
-    }
-}
-
-impl<F: Field> Neg for &UniPoly<F> {
-    type Output = UniPoly<F>;
-    fn neg(self) -> UniPoly<F> {
-        if self.numerators.factors().is_some() {
-            return self.scale(&F::one().negated());
-        }
-        UniPoly {
-            numerators: self.numerators.iter().map(Ring::negated).collect(),
-            denominator: self.denominator.clone(),
+            _ => false,
         }
     }
 }
 
-impl<F: Field> Mul for &UniPoly<F> {
-    type Output = UniPoly<F>;
-    fn mul(self, other: Self) -> UniPoly<F> {
-        if self.is_zero() || other.is_zero() {
-            return UniPoly::zero();
-        }
-        match (self.is_one(), other.is_one()) {
-            (true, _) => return other.clone(),
-            (_, true) => return self.clone(),
-            _ => {}
-        }
-        if self.is_long_product(other) {
-            return self.joined(other);
-        }
-        let product = F::Ring::convolution(&self.numerators, &other.numerators);
-        self.multiplied(other, product)
+impl<F: Field> Eq for UniPoly<F> {}
+
+impl<F: Field> fmt::Debug for UniPoly<F> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter
+            .debug_struct("UniPoly")
+            .field("numerators", &self.numerators())
+            .field("denominator", self.denominator())
+            .finish()
     }
 }
 
@@ -542,7 +442,7 @@ impl<F: Field> UniPoly<F> {
     #[must_use]
     pub fn display(&self, variable: &str) -> String {
         let mut text = String::new();
-        for power in (0..self.numerators.len()).rev() {
+        for power in (0..self.length()).rev() {
             let coefficient = self.coefficient(power);
             if coefficient.is_zero() {
                 continue;

@@ -1,0 +1,183 @@
+use super::{Integer, Modulus, Ring, divisor};
+
+/// A list of machine numbers: the coefficients of most polynomials.
+///
+/// Each operation has a bound for all its results; where these may be longer than a machine number
+/// there is no answer. So none asks of each sum how long it is.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct MachineList(Vec<i128>);
+
+/// The binary digits that every machine number may have; so −n is one too.
+const DIGITS: u32 = i128::BITS - 1;
+
+impl MachineList {
+    /// All of a list, if all are machine numbers.
+    #[must_use]
+    pub fn of<R: Ring>(list: &[R]) -> Option<Self> {
+        let mut numbers = Vec::with_capacity(list.len());
+        for own in list {
+            numbers.push(own.as_integer()?.machine()?);
+        }
+        Some(Self(numbers))
+    }
+
+    /// The numbers.
+    #[must_use]
+    #[inline]
+    pub fn numbers(&self) -> &[i128] {
+        &self.0
+    }
+
+    /// The same numbers as elements of a ring.
+    #[must_use]
+    pub fn elements<R: Ring>(&self) -> Vec<R> {
+        self.0.iter().map(|own| element(*own)).collect()
+    }
+
+    /// Without the zeros at its end.
+    #[must_use]
+    pub fn trimmed(mut self) -> Self {
+        while self.0.last() == Some(&0) {
+            self.0.pop();
+        }
+        self
+    }
+
+    /// The digits of the longest number.
+    #[must_use]
+    pub fn bits(&self) -> u32 {
+        bits(&self.0)
+    }
+
+    /// The coefficients of the product of the polynomials with these coefficients, of which none is
+    /// empty.
+    #[must_use]
+    pub fn convolution(left: &[i128], right: &[i128]) -> Option<Self> {
+        let shorter = left.len().min(right.len());
+        let [first, second] = [left, right].map(bits);
+        if first + second + shorter.max(1).ilog2() + 1 > DIGITS {
+            return None;
+        }
+        let mut sums = vec![0_i128; left.len() + right.len() - 1];
+        let are_words = first < i64::BITS && second < i64::BITS;
+        for (i, own) in left.iter().enumerate() {
+            let places = sums[i..].iter_mut().zip(right);
+            if are_words {
+                // One instruction multiplies two words.
+                places.for_each(|(sum, other)| {
+                    *sum += i128::from(word(*own)) * i128::from(word(*other))
+                });
+            } else {
+                places.for_each(|(sum, other)| *sum += own * other);
+            }
+        }
+        Some(Self(sums))
+    }
+
+    /// All numbers times a factor.
+    #[must_use]
+    pub fn scaled(&self, factor: i128) -> Option<Self> {
+        let fits = self.bits() + bits(&[factor]) <= DIGITS;
+        fits.then(|| Self(self.0.iter().map(|own| own * factor).collect()))
+    }
+
+    /// All numbers divided by one that divides them all, and is not 0.
+    #[must_use]
+    pub fn divided(&self, divisor: i128) -> Self {
+        let words = self.bits() < i64::BITS && bits(&[divisor]) < i64::BITS;
+        let numbers = self.0.iter();
+        Self(if words {
+            let divisor = word(divisor);
+            numbers.map(|own| (word(*own) / divisor).into()).collect()
+        } else {
+            numbers.map(|own| own / divisor).collect()
+        })
+    }
+
+    /// All numbers with the other sign.
+    #[must_use]
+    pub fn negated(&self) -> Self {
+        Self(self.0.iter().map(|own| -own).collect())
+    }
+
+    /// The greatest integer that divides all numbers, and a given one.
+    #[must_use]
+    pub fn content_with(&self, with: u128) -> u128 {
+        let mut common = with;
+        for own in self.0.iter().rev() {
+            if common == 1 {
+                break;
+            }
+            common = divisor::of_sizes(common, own.unsigned_abs());
+        }
+        common
+    }
+
+    /// Σ fₖ aₖ for lists aₖ and factors fₖ.
+    #[must_use]
+    pub fn combination(terms: &[(&[i128], i128)]) -> Option<Self> {
+        let size = |(list, factor): &(&[i128], i128)| bits(list) + bits(&[*factor]);
+        let longest = terms.iter().map(size).max().unwrap_or(0);
+        if longest + terms.len().max(1).ilog2() + 1 > DIGITS {
+            return None;
+        }
+        let length = terms.iter().map(|(list, _)| list.len()).max();
+        let mut sums = vec![0_i128; length.unwrap_or(0)];
+        for (list, factor) in terms {
+            let places = sums.iter_mut().zip(*list);
+            if *factor == 1 {
+                places.for_each(|(sum, own)| *sum += own);
+            } else {
+                places.for_each(|(sum, own)| *sum += own * factor);
+            }
+        }
+        Some(Self(sums))
+    }
+
+    /// The coefficients of Σ aₖ xᵏ (1+x)ⁿ⁻ᵏ for n + 1 numbers aₖ or fewer: additions only.
+    ///
+    /// |Σ| < 2ⁿ Σ |aₖ|
+    #[must_use]
+    pub fn binomial_sums(powers: &[i128], degree: usize) -> Option<Self> {
+        let growth = u32::try_from(degree).ok()?;
+        let count = powers.len().max(1).ilog2() + 1;
+        if bits(powers).checked_add(growth)?.checked_add(count)? > DIGITS {
+            return None;
+        }
+        // Highest k last: f ← f (1+x) + aₖ xᵏ, beginning with the constant a₀.
+        let mut sums = vec![0_i128; degree + 1];
+        for order in 0..=degree {
+            let mut below = 0;
+            for sum in &mut sums[..=order] {
+                (*sum, below) = (*sum + below, *sum);
+            }
+            sums[order] += powers.get(order).unwrap_or(&0);
+        }
+        Some(Self(sums))
+    }
+
+    /// The images modulo a prime.
+    #[must_use]
+    pub fn images(&self, modulus: &Modulus) -> Vec<u64> {
+        let numbers = self.0.iter();
+        numbers.map(|own| modulus.embed_machine(*own)).collect()
+    }
+}
+
+/// A machine number as an element of a ring.
+#[inline]
+fn element<R: Ring>(own: i128) -> R {
+    R::from_integer(&Integer::of_machine(own))
+}
+
+#[inline]
+fn bits(list: &[i128]) -> u32 {
+    let all = list.iter().fold(0, |all, own| all | own.unsigned_abs());
+    u128::BITS - all.leading_zeros()
+}
+
+/// A number that is known to be a word.
+#[inline]
+fn word(own: i128) -> i64 {
+    i64::try_from(own).unwrap_or_default()
+}

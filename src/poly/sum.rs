@@ -1,0 +1,68 @@
+use std::ops::{Add, Sub};
+
+use super::UniPoly;
+use crate::number::{Field, Integer, MachineList, Ring, lcm};
+
+impl<F: Field> UniPoly<F> {
+    /// p + q + …
+    #[must_use]
+    pub fn sum(terms: &[&Self]) -> Self {
+        if let [only] = terms {
+            return (*only).clone();
+        }
+        let common = terms
+            .iter()
+            .fold(Integer::one(), |all, own| lcm(&all, own.denominator()));
+        let scaled = terms.iter().map(|own| (*own, &common / own.denominator()));
+        Self::combination(&scaled.collect::<Vec<_>>(), common)
+    }
+
+    /// Σ fₖ pₖ / d for the numerators pₖ of polynomials.
+    fn combination(terms: &[(&Self, Integer)], denominator: Integer) -> Self {
+        let machine = terms
+            .iter()
+            .map(|(own, factor)| Some((own.machine()?, factor.machine()?)));
+        if let Some(terms) = machine.collect::<Option<Vec<_>>>()
+            && let Some(sums) = MachineList::combination(&terms)
+        {
+            return Self::lowest(sums.trimmed().into(), denominator);
+        }
+        let length = terms.iter().map(|(own, _)| own.numerators().len()).max();
+        let mut sums = vec![F::Ring::zero(); length.unwrap_or(0)];
+        for (term, factor) in terms {
+            let factor = F::Ring::from_integer(factor);
+            for (sum, own) in sums.iter_mut().zip(term.numerators()) {
+                if !own.is_zero() {
+                    sum.add_product(own, &factor);
+                }
+            }
+        }
+        Self::from_numerators(sums, denominator)
+    }
+}
+
+impl<F: Field> Add for &UniPoly<F> {
+    type Output = UniPoly<F>;
+    fn add(self, other: Self) -> UniPoly<F> {
+        match (self.is_zero(), other.is_zero()) {
+            (true, _) => other.clone(),
+            (_, true) => self.clone(),
+            _ => UniPoly::sum(&[self, other]),
+        }
+    }
+}
+
+impl<F: Field> Sub for &UniPoly<F> {
+    type Output = UniPoly<F>;
+    fn sub(self, other: Self) -> UniPoly<F> {
+        if other.is_zero() {
+            return self.clone();
+        }
+        let common = lcm(self.denominator(), other.denominator());
+        let (left, right) = (
+            &common / self.denominator(),
+            -(&common / other.denominator()),
+        );
+        UniPoly::combination(&[(self, left), (other, right)], common)
+    }
+}
