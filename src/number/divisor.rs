@@ -160,8 +160,11 @@ fn times(factor: i64, digit: u64) -> i128 {
 /// The least common multiple, not negative.
 #[must_use]
 pub fn lcm(left: &Integer, right: &Integer) -> Integer {
-    if left.is_zero() || right.is_zero() {
-        return Ring::zero();
+    match (left.machine(), right.machine()) {
+        (Some(0), _) | (_, Some(0)) => return Ring::zero(),
+        (Some(1), _) => return right.abs(),
+        (_, Some(1)) => return left.abs(),
+        _ => {}
     }
     (left / gcd(left, right) * right).abs()
 }

@@ -20,7 +20,8 @@ pub struct LeadingWord {
 const LIMIT: u64 = 1 << 16;
 
 impl LeadingWord {
-    const ZERO: Self = Self {
+    /// 0
+    pub const ZERO: Self = Self {
         negative: false,
         mantissa: 0,
         error: 0,
@@ -48,6 +49,15 @@ impl LeadingWord {
                     exponent: exponent + 64,
                 }
             }
+        }
+    }
+
+    /// An element of a ring; none where few digits are known.
+    #[must_use]
+    pub fn of_element<R: Ring>(value: &R) -> Option<Self> {
+        match value.as_integer() {
+            Some(own) => Some(Self::of_integer(own)),
+            None => value.leading().map(Self::of_leading),
         }
     }
 

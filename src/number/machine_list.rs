@@ -74,30 +74,23 @@ impl MachineList {
         Some(Self(sums))
     }
 
-    /// All numbers times a factor.
+    /// All numbers divided by one that divides them all, and is not 0, times a factor.
     #[must_use]
-    pub fn scaled(&self, factor: i128) -> Option<Self> {
-        let fits = self.bits() + bits(&[factor]) <= DIGITS;
-        fits.then(|| Self(self.0.iter().map(|own| own * factor).collect()))
-    }
-
-    /// All numbers divided by one that divides them all, and is not 0.
-    #[must_use]
-    pub fn divided(&self, divisor: i128) -> Self {
-        let words = self.bits() < i64::BITS && bits(&[divisor]) < i64::BITS;
+    pub fn times_ratio(&self, factor: i128, divisor: i128) -> Option<Self> {
+        if self.bits() + bits(&[factor]) > DIGITS {
+            return None;
+        }
         let numbers = self.0.iter();
-        Self(if words {
+        Some(Self(if divisor == 1 {
+            numbers.map(|own| own * factor).collect()
+        } else if self.bits() < i64::BITS && bits(&[divisor]) < i64::BITS {
+            // One instruction divides words.
             let divisor = word(divisor);
-            numbers.map(|own| (word(*own) / divisor).into()).collect()
+            let quotients = numbers.map(|own| i128::from(word(*own) / divisor));
+            quotients.map(|own| own * factor).collect()
         } else {
-            numbers.map(|own| own / divisor).collect()
-        })
-    }
-
-    /// All numbers with the other sign.
-    #[must_use]
-    pub fn negated(&self) -> Self {
-        Self(self.0.iter().map(|own| -own).collect())
+            numbers.map(|own| own / divisor * factor).collect()
+        }))
     }
 
     /// The greatest integer that divides all numbers, and a given one.

@@ -2,7 +2,7 @@ use std::cell::OnceCell;
 use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
 
-use crate::number::{Field, Integer, Leading, Ring, lcm};
+use crate::number::{Field, Integer, LeadingWord, Ring, lcm};
 
 use super::{BiDegree, UniPoly, gcd_all};
 
@@ -328,15 +328,8 @@ impl<F: Field> BiPoly<F> {
         if in_u.is_zero() || in_v.is_zero() {
             return;
         }
-        let primitive = in_u.primitive();
-        if primitive == *in_u {
-            return self.add_primitive_term(primitive, in_v.clone());
-        }
-        let scale = in_u.leading_coefficient();
-        if let Some(inverse) = primitive.leading_coefficient().inverse() {
-            let in_v = in_v.scale(&scale.times(&inverse));
-            self.add_primitive_term(primitive, in_v);
-        }
+        let (factor, primitive) = in_u.split();
+        self.add_primitive_term(primitive, in_v.scale(&factor));
     }
 
     /// Adds f(u) g(v) with a primitive f and g ≠ 0.
@@ -444,13 +437,15 @@ fn corner_has_digits<'a, F: Field>(
     terms: impl Iterator<Item = &'a (&'a UniPoly<F>, &'a UniPoly<F>)>,
 ) -> bool {
     let quotient = |own: &UniPoly<F>| {
-        let below = Leading::of_integer(own.denominator());
-        let above = own.leading_numerator()?.leading()?;
-        above.times(below.inverse()?)
+        let above = LeadingWord::of_element(&*own.leading_numerator()?)?;
+        if own.denominator().is_one() {
+            return Some(above);
+        }
+        above.times(LeadingWord::of_integer(own.denominator()).inverse()?)
     };
     let mut products = terms.map(|(own, other)| quotient(own)?.times(quotient(other)?));
-    let sum = products.try_fold(Leading::zero(), |sum, own| sum.plus(own?));
-    sum.is_some_and(|own| own.sign().is_ne())
+    let sum = products.try_fold(LeadingWord::ZERO, |sum, own| sum.plus(own?));
+    sum.is_some_and(|own| own != LeadingWord::ZERO)
 }
 
 /// The coefficients of 1, x, x², … of Σ f(x) g(y), as polynomials in y; the last is not 0.

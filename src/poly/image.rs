@@ -45,19 +45,19 @@ impl Image {
         }
     }
 
-    /// The image of p(a, v), a polynomial in v; none if a denominator vanishes in it.
+    /// The image of p(a, v), a polynomial in v, up to a factor; none if a denominator vanishes in it.
     pub(super) fn at_u<F: Field>(polynomial: &BiPoly<F>, at: u64, place: &Place) -> Option<Self> {
         let terms = polynomial.terms().iter();
         Self::at(terms.map(|(in_u, in_v)| (in_u, in_v)), at, place)
     }
 
-    /// The image of p(u, b), a polynomial in u.
+    /// The image of p(u, b), a polynomial in u, up to a factor.
     pub(super) fn at_v<F: Field>(polynomial: &BiPoly<F>, at: u64, place: &Place) -> Option<Self> {
         let terms = polynomial.terms().iter();
         Self::at(terms.map(|(in_u, in_v)| (in_v, in_u)), at, place)
     }
 
-    /// Σ fₖ(a) gₖ
+    /// Σ fₖ(a) gₖ, up to a factor
     fn at<'a, F: Field>(
         terms: impl Iterator<Item = (&'a UniPoly<F>, &'a UniPoly<F>)>,
         at: u64,
@@ -65,24 +65,23 @@ impl Image {
     ) -> Option<Self> {
         let modulus = place.modulus();
         let at = modulus.embed(at);
-        let mut sum: Vec<u64> = Vec::new();
+        // Over the product of the denominators so far.
+        let (mut sum, mut below) = (Vec::new(), modulus.one());
         for (fixed, free) in terms {
-            let value = Self::of(fixed, place).evaluate(at);
-            let denominators = [fixed, free].map(UniPoly::denominator);
-            let denominator = denominators
-                .into_iter()
-                .filter(|own| !Ring::is_one(*own))
-                .fold(modulus.one(), |all, own| {
-                    modulus.times(all, modulus.embed_integer(own))
-                });
-            if denominator == 0 {
-                return None;
+            let weight = modulus.times(Self::of(fixed, place).evaluate(at), below);
+            for own in [fixed, free].map(UniPoly::denominator) {
+                if Ring::is_one(own) {
+                    continue;
+                }
+                let own = modulus.embed_integer(own);
+                if own == 0 {
+                    return None;
+                }
+                below = modulus.times(below, own);
+                for known in &mut sum {
+                    *known = modulus.times(*known, own);
+                }
             }
-            let weight = if denominator == modulus.one() {
-                value
-            } else {
-                modulus.times(value, modulus.inverse(denominator))
-            };
             let free = free.image(place);
             sum.resize(sum.len().max(free.len()), 0);
             for (own, image) in sum.iter_mut().zip(free) {

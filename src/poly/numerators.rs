@@ -137,22 +137,36 @@ impl<R: Ring> Numerators<R> {
     }
 
     /// All divided by an integer that divides them, and is not 0.
-    pub(super) fn divided(self, divisor: &Integer) -> Self {
+    pub(super) fn over(self, divisor: &Integer) -> Self {
         if divisor.is_one() {
-            return self;
+            self
+        } else {
+            self.times_ratio(R::unit(), divisor)
         }
-        match (&self, divisor.machine()) {
-            (Self::Machine(own), Some(divisor)) => own.list.divided(divisor).into(),
-            _ if self.factors().is_some() => {
-                let sign = if Ring::sign(divisor).is_lt() { -1 } else { 1 };
-                let sign = R::from_integer(&Integer::from(sign));
-                Self::product(self, vec![sign].into(), divisor.abs())
-            }
-            _ => {
-                let quotients = self.iter().map(|own| own.divided(divisor));
-                quotients.collect::<Vec<_>>().into()
-            }
+    }
+
+    /// All divided by an integer that divides them, times a rational integer; neither is 0.
+    pub(super) fn times_ratio(&self, factor: &R, divisor: &Integer) -> Self {
+        if factor.is_one() && divisor.is_one() {
+            return self.clone();
         }
+        let machine = factor.as_integer().and_then(Integer::machine);
+        if let (Some(list), Some(factor), Some(divisor)) =
+            (self.machine(), machine, divisor.machine())
+            && let Some(scaled) = list.times_ratio(factor, divisor)
+        {
+            return scaled.into();
+        }
+        if self.factors().is_some() {
+            let factor = if Ring::sign(divisor).is_lt() {
+                factor.negated()
+            } else {
+                factor.clone()
+            };
+            return Self::product(self.clone(), vec![factor].into(), divisor.abs());
+        }
+        let list = self.iter().map(|own| own.divided(divisor).times(factor));
+        list.collect::<Vec<_>>().into()
     }
 
     /// The images at a place.

@@ -2,7 +2,7 @@ use std::ops::{Mul, Neg};
 
 use super::UniPoly;
 use super::numerators::Numerators;
-use crate::number::{Field, Integer, MachineList, Ring};
+use crate::number::{Field, MachineList, Ring};
 
 /// Products of two polynomials with so many coefficients are multiplied out only when asked for.
 const LONG: usize = 16;
@@ -27,7 +27,11 @@ impl<F: Field> UniPoly<F> {
         let second = numerator.content_with(self.denominator());
         let below = (self.denominator() / &second) * (denominator / &first);
         let numerator = numerator.divided(&second);
-        Self::of_parts(times_number(self.held().divided(&first), &numerator), below)
+        let numerators = match self.numerators_held() {
+            Some(own) => own.times_ratio(&numerator, &first),
+            None => vec![numerator].into(),
+        };
+        Self::of_parts(numerators, below)
     }
 
     /// Whether a product is better left alone until its coefficients are asked for.
@@ -68,24 +72,6 @@ impl<F: Field> UniPoly<F> {
     }
 }
 
-/// All numerators times a rational integer that is not 0.
-fn times_number<R: Ring>(numerators: Numerators<R>, factor: &R) -> Numerators<R> {
-    if factor.is_one() {
-        return numerators;
-    }
-    let machine = factor.as_integer().and_then(Integer::machine);
-    if let (Some(list), Some(factor)) = (numerators.machine(), machine)
-        && let Some(scaled) = list.scaled(factor)
-    {
-        return scaled.into();
-    }
-    if numerators.factors().is_some() {
-        return Numerators::product(numerators, vec![factor.clone()].into(), Integer::one());
-    }
-    let scaled = numerators.iter().map(|own| own.times(factor));
-    scaled.collect::<Vec<_>>().into()
-}
-
 impl<F: Field> Mul for &UniPoly<F> {
     type Output = UniPoly<F>;
     fn mul(self, other: Self) -> UniPoly<F> {
@@ -107,7 +93,7 @@ impl<F: Field> Mul for &UniPoly<F> {
         let product = if self.is_long_product(other) {
             Numerators::product(self.held(), other.held(), divisor)
         } else {
-            self.convolution(other).divided(&divisor)
+            self.convolution(other).over(&divisor)
         };
         UniPoly::of_parts(
             product,
@@ -119,7 +105,6 @@ impl<F: Field> Mul for &UniPoly<F> {
 impl<F: Field> Neg for &UniPoly<F> {
     type Output = UniPoly<F>;
     fn neg(self) -> UniPoly<F> {
-        let numerators = self.held().divided(&Integer::from(-1));
-        UniPoly::of_parts(numerators, self.denominator().clone())
+        self.scale(&F::one().negated())
     }
 }

@@ -25,15 +25,9 @@ impl<F: Field> Quotient<F> {
     /// n / d, nothing cancelled but a constant; none if d is 0.
     #[must_use]
     pub fn new(numerator: &UniPoly<F>, denominator: &UniPoly<F>) -> Option<Self> {
-        let primitive = denominator.primitive();
-        let scale = if primitive == *denominator {
-            F::one()
-        } else {
-            let inverse = denominator.leading_coefficient().inverse()?;
-            primitive.leading_coefficient().times(&inverse)
-        };
-        (!primitive.is_zero()).then(|| Self {
-            numerator: numerator.scale(&scale),
+        let (factor, primitive) = denominator.split();
+        Some(Self {
+            numerator: numerator.scale(&factor.inverse()?),
             denominator: primitive,
         })
     }

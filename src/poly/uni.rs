@@ -69,7 +69,7 @@ impl<F: Field> UniPoly<F> {
         if common.is_one() {
             return Self::of_parts(numerators, denominator);
         }
-        Self::of_parts(numerators.divided(&common), denominator / common)
+        Self::of_parts(numerators.over(&common), denominator / common)
     }
 
     /// From parts in lowest terms.
@@ -129,6 +129,11 @@ impl<F: Field> UniPoly<F> {
             Form::One => Some(&[1]),
             Form::Other(own) => own.numerators.machine().map(MachineList::numbers),
         }
+    }
+
+    /// The numerators of a polynomial other than 0 and 1.
+    pub(super) fn numerators_held(&self) -> Option<&Numerators<F::Ring>> {
+        self.body().map(|own| &own.numerators)
     }
 
     /// The numerators as they are held.
@@ -369,6 +374,25 @@ impl<F: Field> UniPoly<F> {
         Self(found.as_ref().unwrap_or(&self.0).clone())
     }
 
+    /// The number c and the primitive q with p = c q; 0 and 0 for 0.
+    #[must_use]
+    pub fn split(&self) -> (F, Self) {
+        let primitive = self.primitive();
+        let factor = self.multiple_of(&primitive);
+        (factor.unwrap_or_else(F::zero), primitive)
+    }
+
+    /// c with p = c q for a primitive q; none for 0.
+    fn multiple_of(&self, primitive: &Self) -> Option<F> {
+        let (own, lead) = (self.leading_numerator()?, primitive.leading_numerator()?);
+        // Mostly the content, with a sign.
+        if let Some(factor) = own.quotient(&lead) {
+            return Some(F::from_parts(factor, self.denominator().clone()));
+        }
+        let inverse = primitive.leading_coefficient().inverse()?;
+        Some(self.leading_coefficient().times(&inverse))
+    }
+
     /// None for the polynomial itself.
     fn find_primitive(&self) -> Option<Form<F::Ring>> {
         let lead = self.leading_numerator()?;
@@ -385,7 +409,7 @@ impl<F: Field> UniPoly<F> {
         if divisor.is_one() && self.denominator().is_one() {
             return None;
         }
-        let numerators = self.held().divided(&divisor);
+        let numerators = self.held().over(&divisor);
         Some(Self::of_parts(numerators, Integer::one()).0)
     }
 
