@@ -21,6 +21,10 @@ use grid::Grid;
 use record::{Expected, Outcome, Parsed, Record, STEPS, Set};
 use summary::Summary;
 
+/// That of the program.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 /// Times the workloads, from the parsed text to the doubles.
 #[derive(Parser)]
 struct Arguments {
