@@ -1,9 +1,9 @@
 use std::rc::Rc;
 
-use crate::number::{Integer, Leading, LeadingWord, Ring};
+use crate::number::{Integer, Leading, LeadingWord, MachineList, Ring};
 use crate::poly::binomials;
 
-use super::products::{Numerator, Products, Term};
+use super::products::{Products, Term};
 
 /// The points and weights of a net by their leading digits, from those of the factors of their
 /// terms: no point is multiplied out.
@@ -87,29 +87,24 @@ type Digits = Vec<Leading>;
 /// Σ fₖ[i] gₖ[j], by machine numbers where all sums are such, else by leading digits.
 #[derive(Debug)]
 enum Sum {
-    Machine(Vec<[Vec<i128>; 2]>),
+    Machine(Vec<[MachineList; 2]>),
     Digits(Vec<(Digits, Rc<[Leading]>)>),
 }
 
 impl Sum {
     /// None where some sum may be longer than a machine number.
     fn machine(terms: &[Term]) -> Option<Self> {
-        let machine = |own: &Numerator| own.as_integer()?.machine();
-        let size = |list: &[i128]| list.iter().fold(0, |all, own| all | own.unsigned_abs());
-        let bits = |list: &[i128]| u128::BITS - size(list).leading_zeros();
         let mut lists = Vec::with_capacity(terms.len());
         for Term { in_u, in_v } in terms {
             if in_v.is_product() {
                 return None;
             }
-            let pair = [
-                all(in_u.iter().map(machine))?,
-                all(in_v.coefficients().iter().map(machine))?,
-            ];
-            if bits(&pair[0]) + bits(&pair[1]) + terms.len().ilog2() >= i128::BITS - 2 {
+            let pair = [in_u.machine()?, in_v.coefficients().machine()?];
+            let bits: u32 = pair.iter().map(|own| own.bits()).sum();
+            if bits + terms.len().ilog2() >= i128::BITS - 2 {
                 return None;
             }
-            lists.push(pair);
+            lists.push(pair.map(Clone::clone));
         }
         Some(Self::Machine(lists))
     }
@@ -155,8 +150,9 @@ impl Sum {
 
 /// Σ fₖ[i] gₖ[j]
 #[inline]
-fn exact(terms: &[[Vec<i128>; 2]], i: usize, j: usize) -> i128 {
-    terms.iter().map(|[in_u, in_v]| in_u[i] * in_v[j]).sum()
+fn exact(terms: &[[MachineList; 2]], i: usize, j: usize) -> i128 {
+    let product = |[in_u, in_v]: &[MachineList; 2]| in_u.numbers()[i] * in_v.numbers()[j];
+    terms.iter().map(product).sum()
 }
 
 /// All of a list, if all are known.

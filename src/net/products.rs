@@ -2,7 +2,7 @@ use std::borrow::Cow;
 use std::rc::Rc;
 
 use crate::number::{Field, Integer, Real, Ring, lcm};
-use crate::poly::{BiDegree, BiPoly, UniPoly, binomials, scaled_bernstein};
+use crate::poly::{BiDegree, BiPoly, Numerators, UniPoly, binomials};
 
 use super::scaled_form::ScaledForm;
 
@@ -35,7 +35,7 @@ pub(super) struct Products {
 /// fₖ and gₖ; terms share what was converted once.
 #[derive(Clone, Debug)]
 pub(super) struct Term {
-    pub(super) in_u: Vec<Numerator>,
+    pub(super) in_u: Numerators<Numerator>,
     pub(super) in_v: Rc<ScaledForm>,
 }
 
@@ -75,14 +75,13 @@ impl Products {
         let terms = converted.map(|own| {
             let scaled = own.into_iter().map(|term| {
                 let scale = &denominator / below(&term);
-                let in_u = term
-                    .0
-                    .form
-                    .coefficients()
-                    .iter()
-                    .map(|own| own.scaled(&scale));
+                let scale = Numerator::from_integer(&scale);
                 Term {
-                    in_u: in_u.collect(),
+                    in_u: term
+                        .0
+                        .form
+                        .coefficients()
+                        .times_ratio(&scale, Integer::unit()),
                     in_v: term.1.form,
                 }
             });
@@ -95,7 +94,7 @@ impl Products {
     pub(super) fn coordinate(&self, axis: usize, (i, j): (usize, usize)) -> Numerator {
         let mut sum = Numerator::zero();
         for term in &self.terms[axis] {
-            sum.add_product(&term.in_u[i], &term.in_v.at(j));
+            sum.add_product(&term.in_u.at(i), &term.in_v.at(j));
         }
         sum
     }
@@ -196,9 +195,8 @@ impl<'a> Conversions<'a> {
             }
             None => {
                 let local = polynomial.restrict(self.domain.0, self.domain.1);
-                let list = scaled_bernstein(local.numerators(), degree);
                 Converted {
-                    form: Rc::new(ScaledForm::list(list)),
+                    form: Rc::new(ScaledForm::list(local.scaled_bernstein(degree))),
                     denominator: local.denominator().clone(),
                 }
             }

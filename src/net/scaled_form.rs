@@ -4,6 +4,7 @@ use std::ops::Range;
 use std::rc::Rc;
 
 use crate::number::{Leading, Ring};
+use crate::poly::Numerators;
 
 use super::products::Numerator;
 
@@ -13,7 +14,7 @@ use super::products::Numerator;
 /// an exact number is asked for; its leading digits come from those of the factors.
 #[derive(Debug)]
 pub(super) struct ScaledForm {
-    list: OnceCell<Vec<Numerator>>,
+    list: OnceCell<Numerators<Numerator>>,
     product: Option<Product>,
     leading: OnceCell<Option<Rc<[Leading]>>>,
 }
@@ -25,7 +26,7 @@ struct Product {
 }
 
 impl ScaledForm {
-    pub(super) fn list(list: Vec<Numerator>) -> Self {
+    pub(super) fn list(list: Numerators<Numerator>) -> Self {
         Self {
             list: list.into(),
             product: None,
@@ -48,10 +49,11 @@ impl ScaledForm {
     }
 
     /// All coefficients, multiplied out.
-    pub(super) fn coefficients(&self) -> &[Numerator] {
+    pub(super) fn coefficients(&self) -> &Numerators<Numerator> {
         self.list.get_or_init(|| {
             let product = self.product.as_ref();
-            product.map(Product::multiplied).unwrap_or_default()
+            let list = product.map(Product::multiplied);
+            list.unwrap_or_default().into()
         })
     }
 
@@ -59,7 +61,7 @@ impl ScaledForm {
     pub(super) fn at(&self, index: usize) -> Cow<'_, Numerator> {
         match (self.list.get(), &self.product) {
             (None, Some(own)) => Cow::Owned(own.at(index)),
-            _ => Cow::Borrowed(&self.coefficients()[index]),
+            _ => self.coefficients().at(index),
         }
     }
 

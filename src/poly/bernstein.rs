@@ -1,5 +1,5 @@
-use super::UniPoly;
-use crate::number::{Field, Integer, Ring, lcm};
+use super::{Numerators, UniPoly};
+use crate::number::{Field, Integer, MachineList, Ring, lcm};
 
 /// The Bernstein coefficients bᵢ of p = Σ bᵢ C(n,i) (1−t)ⁿ⁻ⁱ tⁱ, with t = (x − from)/(to − from),
 /// at a degree n not below that of p; a lower n is raised to it.
@@ -21,6 +21,18 @@ pub fn bernstein<F: Field>(polynomial: &UniPoly<F>, degree: usize, from: &F, to:
 #[must_use]
 pub fn scaled_bernstein<R: Ring>(powers: &[R], degree: usize) -> Vec<R> {
     R::binomial_sums(powers, degree)
+}
+
+impl<F: Field> UniPoly<F> {
+    /// C(n,i) bᵢ of the numerators on [0, 1], at a degree n not below that of the polynomial.
+    #[must_use]
+    pub fn scaled_bernstein(&self, degree: usize) -> Numerators<F::Ring> {
+        let machine = self.machine();
+        match machine.and_then(|own| MachineList::binomial_sums(own, degree)) {
+            Some(sums) => sums.into(),
+            None => scaled_bernstein(self.numerators(), degree).into(),
+        }
+    }
 }
 
 /// C(n,0), …, C(n,n)

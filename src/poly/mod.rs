@@ -48,6 +48,7 @@ pub use coprimality::Coprimality;
 pub use fraction::{Denominator, Fraction};
 pub use gcd::{certify_coprime, gcd, gcd_all, lcm};
 pub use integrate::{Antiderivative, integrate};
+pub use numerators::Numerators;
 pub use quotient::Quotient;
 pub use resultant::{resultant, resultant_v};
 pub use root::{RealRoot, real_roots, sign_change};

@@ -6,11 +6,14 @@ use std::rc::Rc;
 
 use crate::number::{Integer, MachineList, Place, Ring, gcd};
 
-/// The numerators of a polynomial that is not 0, in the form that suits them.
+/// A list of numerators over one denominator, in the form that suits them; it is read as a slice.
 ///
 /// Canonical but for products: machine numbers are always held as such.
 #[derive(Clone)]
-pub(super) enum Numerators<R> {
+pub struct Numerators<R>(Form<R>);
+
+#[derive(Clone)]
+enum Form<R> {
     Machine(Machine<R>),
     /// Of which one is longer than a machine number, or irrational.
     Ring(Rc<Vec<R>>),
@@ -18,13 +21,13 @@ pub(super) enum Numerators<R> {
 }
 
 /// Machine numbers, as elements of the ring for those who ask for such.
-pub(super) struct Machine<R> {
+struct Machine<R> {
     list: MachineList,
     elements: OnceCell<Vec<R>>,
 }
 
 /// A product, multiplied out for those who ask for its coefficients.
-pub(super) struct Lazy<R> {
+struct Lazy<R> {
     product: Product<R>,
     list: OnceCell<Vec<R>>,
 }
@@ -39,40 +42,41 @@ pub(super) struct Product<R> {
 impl<R: Ring> Numerators<R> {
     /// f g / d, multiplied out when the coefficients are asked for.
     pub(super) fn product(left: Self, right: Self, divisor: Integer) -> Self {
-        Self::Product(Rc::new(Lazy {
+        Self(Form::Product(Rc::new(Lazy {
             product: Product {
                 left,
                 right,
                 divisor,
             },
             list: OnceCell::new(),
-        }))
+        })))
     }
 
     /// The product that is not multiplied out yet.
     #[inline]
     pub(super) fn factors(&self) -> Option<&Product<R>> {
-        match self {
-            Self::Product(own) if own.list.get().is_none() => Some(&own.product),
+        match &self.0 {
+            Form::Product(own) if own.list.get().is_none() => Some(&own.product),
             _ => None,
         }
     }
 
-    /// The numbers, if they are held as machine numbers.
+    /// The numbers, if all are machine numbers.
+    #[must_use]
     #[inline]
-    pub(super) fn machine(&self) -> Option<&MachineList> {
-        match self {
-            Self::Machine(own) => Some(&own.list),
+    pub fn machine(&self) -> Option<&MachineList> {
+        match &self.0 {
+            Form::Machine(own) => Some(&own.list),
             _ => None,
         }
     }
 
     #[inline]
     pub(super) fn len(&self) -> usize {
-        match self {
-            Self::Machine(own) => own.list.numbers().len(),
-            Self::Ring(own) => own.len(),
-            Self::Product(own) => own.product.len(),
+        match &self.0 {
+            Form::Machine(own) => own.list.numbers().len(),
+            Form::Ring(own) => own.len(),
+            Form::Product(own) => own.product.len(),
         }
     }
 
@@ -84,6 +88,15 @@ impl<R: Ring> Numerators<R> {
     /// The coefficient of the highest power; none for an empty list.
     pub(super) fn last(&self) -> Option<Cow<'_, R>> {
         self.end(|list| list.last(), <[R]>::last)
+    }
+
+    /// One of them, without the others as elements of the ring.
+    #[must_use]
+    pub fn at(&self, index: usize) -> Cow<'_, R> {
+        match self.machine() {
+            Some(own) => Cow::Owned(R::from_integer(&Integer::from(own.numbers()[index]))),
+            None => Cow::Borrowed(&self[index]),
+        }
     }
 
     fn end(
@@ -106,9 +119,9 @@ impl<R: Ring> Numerators<R> {
     /// Whether all are rational integers.
     #[inline]
     pub(super) fn is_rational(&self) -> bool {
-        match self {
-            Self::Machine(_) | Self::Product(_) => true,
-            Self::Ring(own) => own.iter().all(|own| own.height() == 0),
+        match &self.0 {
+            Form::Machine(_) | Form::Product(_) => true,
+            Form::Ring(own) => own.iter().all(|own| own.height() == 0),
         }
     }
 
@@ -146,7 +159,8 @@ impl<R: Ring> Numerators<R> {
     }
 
     /// All divided by an integer that divides them, times a rational integer; neither is 0.
-    pub(super) fn times_ratio(&self, factor: &R, divisor: &Integer) -> Self {
+    #[must_use]
+    pub fn times_ratio(&self, factor: &R, divisor: &Integer) -> Self {
         if factor.is_one() && divisor.is_one() {
             return self.clone();
         }
@@ -222,11 +236,11 @@ impl<R: Clone> Clone for Machine<R> {
 
 impl<R: Ring> PartialEq for Numerators<R> {
     fn eq(&self, other: &Self) -> bool {
-        match (self, other) {
-            (Self::Machine(own), Self::Machine(other)) => return own.list == other.list,
-            (Self::Ring(own), Self::Ring(other)) => return own == other,
-            (Self::Machine(_), Self::Ring(_)) | (Self::Ring(_), Self::Machine(_)) => return false,
-            (Self::Product(own), Self::Product(other)) if Rc::ptr_eq(own, other) => return true,
+        match (&self.0, &other.0) {
+            (Form::Machine(own), Form::Machine(other)) => return own.list == other.list,
+            (Form::Ring(own), Form::Ring(other)) => return own == other,
+            (Form::Machine(_), Form::Ring(_)) | (Form::Ring(_), Form::Machine(_)) => return false,
+            (Form::Product(own), Form::Product(other)) if Rc::ptr_eq(own, other) => return true,
             _ => {}
         }
         match (self.factors(), other.factors()) {
@@ -249,10 +263,10 @@ impl<R: Ring> fmt::Debug for Numerators<R> {
 
 impl<R: Ring> From<MachineList> for Numerators<R> {
     fn from(list: MachineList) -> Self {
-        Self::Machine(Machine {
+        Self(Form::Machine(Machine {
             list,
             elements: OnceCell::new(),
-        })
+        }))
     }
 }
 
@@ -260,7 +274,7 @@ impl<R: Ring> From<Vec<R>> for Numerators<R> {
     fn from(list: Vec<R>) -> Self {
         match MachineList::of(&list) {
             Some(own) => own.into(),
-            None => Self::Ring(Rc::new(list)),
+            None => Self(Form::Ring(Rc::new(list))),
         }
     }
 }
@@ -269,10 +283,10 @@ impl<R: Ring> Deref for Numerators<R> {
     type Target = [R];
 
     fn deref(&self) -> &[R] {
-        match self {
-            Self::Machine(own) => own.elements.get_or_init(|| own.list.elements()),
-            Self::Ring(own) => own,
-            Self::Product(own) => own.list.get_or_init(|| own.product.multiplied()),
+        match &self.0 {
+            Form::Machine(own) => own.elements.get_or_init(|| own.list.elements()),
+            Form::Ring(own) => own,
+            Form::Product(own) => own.list.get_or_init(|| own.product.multiplied()),
         }
     }
 }

@@ -14,10 +14,10 @@ impl<F: Field> UniPoly<F> {
         if self.is_zero() || factor.is_zero() {
             return Self::zero();
         }
-        let (numerator, denominator) = factor.parts();
-        if numerator.is_one() && denominator.is_one() {
+        if factor.is_one() {
             return self.clone();
         }
+        let (numerator, denominator) = factor.parts();
         if numerator.height() > 0 {
             let scaled = self.numerators().iter().map(|own| own.times(&numerator));
             return Self::from_numerators(scaled.collect(), self.denominator() * denominator);

@@ -268,7 +268,7 @@ impl<F: Field> UniPoly<F> {
         let numerator = match power {
             0 => numerators.first(),
             _ if power + 1 == numerators.len() => numerators.last(),
-            _ => numerators.get(power).map(Cow::Borrowed),
+            _ => (power < numerators.len()).then(|| numerators.at(power)),
         };
         match numerator {
             Some(numerator) => F::from_parts(numerator.into_owned(), body.denominator.clone()),
@@ -378,6 +378,9 @@ impl<F: Field> UniPoly<F> {
     #[must_use]
     pub fn split(&self) -> (F, Self) {
         let primitive = self.primitive();
+        if primitive == *self && !self.is_zero() {
+            return (F::one(), primitive);
+        }
         let factor = self.multiple_of(&primitive);
         (factor.unwrap_or_else(F::zero), primitive)
     }
