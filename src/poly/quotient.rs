@@ -56,24 +56,23 @@ impl<F: Field> Quotient<F> {
         }
     }
 
-    /// a + b + … over the least common multiple of the denominators.
+    /// a + b + … over the least common multiple of the denominators; none for no terms.
     #[must_use]
-    pub fn sum(terms: &[&Self]) -> Self {
-        let denominator = terms
-            .iter()
-            .fold(UniPoly::one(), |common, own| lcm(&common, &own.denominator));
-        let numerator = if terms.iter().all(|own| own.denominator == denominator) {
-            let numerators = terms.iter().map(|own| &own.numerator);
-            UniPoly::sum(&numerators.collect::<Vec<_>>())
-        } else {
-            let raised = terms.iter().map(|own| own.numerator_over(&denominator));
-            let raised: Vec<_> = raised.collect();
-            UniPoly::sum(&raised.iter().collect::<Vec<_>>())
-        };
-        Self {
-            numerator,
-            denominator,
+    pub fn sum<'a>(mut terms: impl Iterator<Item = &'a Self> + Clone) -> Option<Self> {
+        let all = terms.clone();
+        let first = terms.next()?;
+        if terms.clone().next().is_none() {
+            return Some(first.clone());
         }
+        let denominator = all
+            .clone()
+            .fold(UniPoly::one(), |common, own| lcm(&common, &own.denominator));
+        let raised = all.map(|own| own.numerator_over(&denominator));
+        let raised: Vec<_> = raised.collect();
+        Some(Self {
+            numerator: UniPoly::sum(&raised.iter().collect::<Vec<_>>()),
+            denominator,
+        })
     }
 
     /// a + c
@@ -189,7 +188,8 @@ mod tests {
             BiPoly::in_v(own.numerator()) == *other.numerator()
                 && denominator == other.denominator().polynomial()
         };
-        assert!(same(&Quotient::sum(&[&left, &right]), &first.plus(&second)));
+        let sum = Quotient::sum([&left, &right].into_iter());
+        assert!(sum.is_some_and(|own| same(&own, &first.plus(&second))));
         assert!(same(&left.times(&right), &first.times(&second)));
         assert!(same(&left.derivative(), &first.derivative_v()));
         for exponent in [-3, -1, 0, 2] {

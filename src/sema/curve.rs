@@ -201,8 +201,8 @@ impl<'a> Lowerer<'a> {
                 Axis::ALL.map(|axis| {
                     let index = [first, second].iter().position(|own| *own == axis);
                     index.map_or_else(
-                        || Rc::new(Expanded::Number(Real::from(0))),
-                        |index| Rc::clone(&fractions[index]),
+                        || Expanded::Number(Real::from(0)),
+                        |index| fractions[index].clone(),
                     )
                 })
             }
@@ -246,7 +246,7 @@ impl<'a> Lowerer<'a> {
         value: &Value,
         parameter: Parameter,
         domain: &curve::Interval,
-    ) -> Lowered<Vec<Rc<Expanded>>> {
+    ) -> Lowered<Vec<Expanded>> {
         let mut rectangle = Domain::unit();
         match parameter {
             Parameter::U => rectangle.u = domain.clone(),

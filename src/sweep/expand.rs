@@ -22,7 +22,7 @@ pub struct Expander<'a> {
     limits: &'a Limits,
     counter: Counter,
     /// The expression is kept beside its expansion, so that its identity stays its own.
-    expanded: BTreeMap<usize, (Scalar, Rc<Expanded>)>,
+    expanded: BTreeMap<usize, (Scalar, Expanded)>,
 }
 
 type Found<T> = Result<T, Box<Diagnostic>>;
@@ -49,7 +49,7 @@ impl<'a> Expander<'a> {
     /// that is not (E0307), a property that a curve does not have (E02xx), and the limits: on
     /// degree and number of terms (E0505), which are checked before anything is multiplied, and
     /// on the degree of the field (E0509).
-    pub fn expand(&mut self, expression: &Scalar) -> Found<Rc<Expanded>> {
+    pub fn expand(&mut self, expression: &Scalar) -> Found<Expanded> {
         self.check_size(expression)?;
         self.expanded(expression)
     }
@@ -107,23 +107,23 @@ impl<'a> Expander<'a> {
         ))
     }
 
-    fn expanded(&mut self, expression: &Scalar) -> Found<Rc<Expanded>> {
+    fn expanded(&mut self, expression: &Scalar) -> Found<Expanded> {
         if let Form::Constant(value) = expression.form() {
-            return Ok(Rc::new(Expanded::Number(value.clone())));
+            return Ok(Expanded::Number(value.clone()));
         }
         if !expression.is_shared() {
-            return self.form(expression).map(Rc::new);
+            return self.form(expression);
         }
         if let Some((_, known)) = self.expanded.get(&expression.identity()) {
-            return Ok(Rc::clone(known));
+            return Ok(known.clone());
         }
-        let expanded = Rc::new(self.form(expression)?);
-        let entry = (expression.clone(), Rc::clone(&expanded));
+        let expanded = self.form(expression)?;
+        let entry = (expression.clone(), expanded.clone());
         self.expanded.insert(expression.identity(), entry);
         Ok(expanded)
     }
 
-    fn all(&mut self, expressions: &[Scalar]) -> Found<Vec<Rc<Expanded>>> {
+    fn all(&mut self, expressions: &[Scalar]) -> Found<Vec<Expanded>> {
         expressions.iter().map(|own| self.expanded(own)).collect()
     }
 
@@ -133,7 +133,7 @@ impl<'a> Expander<'a> {
 
     fn form(&mut self, expression: &Scalar) -> Found<Expanded> {
         let zero_division = || division_by_zero(expression);
-        let in_both = Expanded::InBoth;
+        let in_both = Expanded::from;
         match expression.form() {
             Form::Constant(value) => Ok(Expanded::Number(value.clone())),
             Form::Parameter(parameter) => Ok(Expanded::variable(*parameter)),
@@ -149,12 +149,9 @@ impl<'a> Expander<'a> {
             }
             Form::Property(property, argument) => self.property(expression, property, argument),
             Form::Partial(by, body) => Ok(self.expanded(body)?.partial(*by)),
-            Form::OnDomain(body, domain) if **domain == *self.domain => {
-                Ok((*self.expanded(body)?).clone())
-            }
+            Form::OnDomain(body, domain) if **domain == *self.domain => self.expanded(body),
             Form::OnDomain(body, domain) => {
-                let mut inner = Expander::new(domain, self.tower, self.limits);
-                Ok((*inner.expanded(body)?).clone())
+                Expander::new(domain, self.tower, self.limits).expanded(body)
             }
             Form::Substitution { body, .. } if body.is_rooted() => {
                 Err(Box::new(undecided_sign(expression)))
@@ -166,7 +163,7 @@ impl<'a> Expander<'a> {
             }
             Form::SquareRoot(body) => {
                 let (radicand, span) = (self.expanded(body)?, expression.span());
-                if let Expanded::Number(own) = &*radicand {
+                if let Expanded::Number(own) = &radicand {
                     return root_of_number(own, self.tower, span).map(Expanded::Number);
                 }
                 let radicand = radicand.into_fraction();
@@ -204,7 +201,7 @@ impl<'a> Expander<'a> {
         let outer = Expanded::InOne(Parameter::U, quotient).fraction();
         let composed = outer.compose(&at, &zero);
         composed
-            .map(Expanded::InBoth)
+            .map(Expanded::from)
             .ok_or_else(|| division_by_zero(expression))
     }
 }

@@ -7,7 +7,7 @@ use crate::poly::{Fraction, Quotient, UniPoly};
 /// What an expression expands to, held in as few parameters as it is written with: most parts of
 /// a sweep are numbers or functions of one parameter, and only their products are surfaces.
 ///
-/// The unreduced fraction is the same in each form, see [`Fraction`].
+/// The unreduced fraction is the same in each form, see [`Fraction`]. Copies share their memory.
 #[derive(Clone, Debug)]
 pub enum Expanded {
     /// A number.
@@ -15,32 +15,12 @@ pub enum Expanded {
     /// A function of one parameter.
     InOne(Parameter, Quotient<Real>),
     /// A function of u and v.
-    InBoth(Fraction<Real>),
+    InBoth(Rc<Fraction<Real>>),
 }
 
-/// The terms of a sum, by the parameters that they depend on.
-struct Gathered<'a> {
-    numbers: Vec<&'a Real>,
-    in_one: [Vec<&'a Quotient<Real>>; 2],
-    in_both: Vec<&'a Fraction<Real>>,
-}
-
-impl<'a> Gathered<'a> {
-    fn of(parts: &'a [Rc<Expanded>]) -> Self {
-        let mut gathered = Self {
-            numbers: Vec::new(),
-            in_one: [Vec::new(), Vec::new()],
-            in_both: Vec::new(),
-        };
-        for part in parts {
-            match &**part {
-                Expanded::Number(own) => gathered.numbers.push(own),
-                Expanded::InOne(Parameter::U, own) => gathered.in_one[0].push(own),
-                Expanded::InOne(Parameter::V, own) => gathered.in_one[1].push(own),
-                Expanded::InBoth(own) => gathered.in_both.push(own),
-            }
-        }
-        gathered
+impl From<Fraction<Real>> for Expanded {
+    fn from(own: Fraction<Real>) -> Self {
+        Self::InBoth(Rc::new(own))
     }
 }
 
@@ -58,17 +38,16 @@ impl Expanded {
             Self::Number(own) => Fraction::constant(own),
             Self::InOne(Parameter::U, own) => Fraction::in_u(own),
             Self::InOne(Parameter::V, own) => Fraction::in_v(own),
-            Self::InBoth(own) => own.clone(),
+            Self::InBoth(own) => (**own).clone(),
         }
     }
 
     /// As [`Expanded::fraction`], without a copy if nobody else holds it.
     #[must_use]
-    pub(super) fn into_fraction(self: Rc<Self>) -> Fraction<Real> {
-        match Rc::try_unwrap(self) {
-            Ok(Self::InBoth(own)) => own,
-            Ok(own) => own.fraction(),
-            Err(shared) => shared.fraction(),
+    pub(super) fn into_fraction(self) -> Fraction<Real> {
+        match self {
+            Self::InBoth(own) => Rc::unwrap_or_clone(own),
+            own => own.fraction(),
         }
     }
 
@@ -115,56 +94,56 @@ impl Expanded {
 
     /// a + b + …
     #[must_use]
-    pub(super) fn sum(terms: &[Rc<Self>]) -> Self {
-        let gathered = Gathered::of(terms);
-        let number = gathered.numbers.into_iter().fold(Real::zero(), |sum, own| {
-            if sum.is_zero() {
-                own.clone()
-            } else {
-                sum.plus(own)
-            }
+    pub(super) fn sum(terms: &[Self]) -> Self {
+        let number = terms.iter().fold(None, |sum: Option<Real>, own| match own {
+            Self::Number(own) => Some(sum.map_or_else(|| own.clone(), |sum| sum.plus(own))),
+            _ => sum,
         });
-        let mut sums = gathered.in_one.map(|own| match own.as_slice() {
-            [] => None,
-            all => Some(Quotient::sum(all)),
+        let mut sums = [Parameter::U, Parameter::V].map(|along| {
+            Quotient::sum(terms.iter().filter_map(move |own| match own {
+                Self::InOne(parameter, own) if *parameter == along => Some(own),
+                _ => None,
+            }))
         });
         // The number joins a function of one parameter, if there is one.
         let host = sums.iter_mut().find_map(Option::as_mut);
-        let rest = match host {
-            Some(own) => {
-                *own = own.shifted(&number);
-                Real::zero()
+        let rest = match (host, number) {
+            (Some(host), Some(number)) => {
+                *host = host.shifted(&number);
+                None
             }
-            None => number,
+            (_, number) => number,
         };
-        let [in_u, in_v] = sums;
-        match (in_u, in_v, gathered.in_both.is_empty()) {
-            (None, None, true) => Self::Number(rest),
-            (Some(own), None, true) => Self::InOne(Parameter::U, own),
-            (None, Some(own), true) => Self::InOne(Parameter::V, own),
-            (in_u, in_v, _) => {
+        let mut in_both = terms.iter().filter_map(|own| match own {
+            Self::InBoth(own) => Some(&**own),
+            _ => None,
+        });
+        match (sums, in_both.next()) {
+            ([None, None], None) => Self::Number(rest.unwrap_or_else(Real::zero)),
+            ([Some(own), None], None) => Self::InOne(Parameter::U, own),
+            ([None, Some(own)], None) => Self::InOne(Parameter::V, own),
+            ([in_u, in_v], first) => {
                 let in_u = in_u.as_ref().map(Fraction::in_u);
                 let in_v = in_v.as_ref().map(Fraction::in_v);
-                let constant = (!rest.is_zero()).then(|| Fraction::constant(&rest));
-                let single = [in_v, in_u, constant];
-                let single = single.iter().flatten();
-                Self::InBoth(Fraction::sum(
-                    &single.chain(gathered.in_both).collect::<Vec<_>>(),
-                ))
+                let rest = rest.filter(|own| !own.is_zero());
+                let constant = rest.as_ref().map(Fraction::constant);
+                let single = [&in_v, &in_u, &constant].into_iter().flatten();
+                let all: Vec<_> = single.chain(first).chain(in_both).collect();
+                Fraction::sum(&all).into()
             }
         }
     }
 
     /// a b …
     #[must_use]
-    pub(super) fn product(factors: &[Rc<Self>]) -> Self {
+    pub(super) fn product(factors: &[Self]) -> Self {
         let (mut number, mut in_u, mut in_v, mut in_both) = (None, None, None, None);
         for factor in factors {
-            match &**factor {
+            match factor {
                 Self::Number(own) => join(&mut number, own, Real::times),
                 Self::InOne(Parameter::U, own) => join(&mut in_u, own, Quotient::times),
                 Self::InOne(Parameter::V, own) => join(&mut in_v, own, Quotient::times),
-                Self::InBoth(own) => join(&mut in_both, own, Fraction::times),
+                Self::InBoth(own) => join(&mut in_both, own, |all, own| Rc::new(all.times(own))),
             }
         }
         // The number joins a function of one parameter, if there is one.
@@ -177,13 +156,13 @@ impl Expanded {
             (None, None) => Self::Number(number.unwrap_or_else(Real::one)),
             (Some(own), None) => Self::InOne(Parameter::U, own),
             (None, Some(own)) => Self::InOne(Parameter::V, own),
-            (Some(in_u), Some(in_v)) => Self::InBoth(Fraction::product(&in_u, &in_v)),
+            (Some(in_u), Some(in_v)) => Fraction::product(&in_u, &in_v).into(),
         };
         match (in_both, single) {
             (None, single) => single,
             (Some(all), Self::Number(own)) if own.is_one() => Self::InBoth(all),
-            (Some(all), Self::Number(own)) => Self::InBoth(all.scale(&own)),
-            (Some(all), other) => Self::InBoth(all.times(&other.fraction())),
+            (Some(all), Self::Number(own)) => all.scale(&own).into(),
+            (Some(all), other) => all.times(&other.into_fraction()).into(),
         }
     }
 
@@ -193,7 +172,7 @@ impl Expanded {
         Some(match self {
             Self::Number(own) => Self::Number(own.power(exponent)?),
             Self::InOne(parameter, own) => Self::InOne(*parameter, own.power(exponent)?),
-            Self::InBoth(own) => Self::InBoth(own.power(exponent)?),
+            Self::InBoth(own) => own.power(exponent)?.into(),
         })
     }
 
@@ -204,10 +183,10 @@ impl Expanded {
             Self::Number(_) => Self::Number(Real::zero()),
             Self::InOne(own, quotient) if *own == by => Self::InOne(by, quotient.derivative()),
             Self::InOne(own, quotient) => Self::InOne(*own, quotient.scale(&Real::zero())),
-            Self::InBoth(own) => Self::InBoth(match by {
-                Parameter::U => own.derivative_u(),
-                Parameter::V => own.derivative_v(),
-            }),
+            Self::InBoth(own) => match by {
+                Parameter::U => own.derivative_u().into(),
+                Parameter::V => own.derivative_v().into(),
+            },
         }
     }
 
@@ -235,16 +214,16 @@ mod tests {
 
     #[test]
     fn a_function_of_both_is_none_of_one() {
-        let [u, v] = [Parameter::U, Parameter::V].map(|own| Rc::new(Expanded::variable(own)));
-        let saddle = Rc::new(Expanded::product(&[Rc::clone(&u), Rc::clone(&v)]));
+        let [u, v] = [Parameter::U, Parameter::V].map(Expanded::variable);
+        let saddle = Expanded::product(&[u.clone(), v.clone()]);
         assert!(saddle.in_one(Parameter::U).is_none() && saddle.in_one(Parameter::V).is_none());
         // u v / v is written with v in both parts; u v − u v + u is u.
-        let inverse = v.power(-1).map(Rc::new);
-        let quotient = inverse.map(|own| Expanded::product(&[Rc::clone(&saddle), own]));
+        let inverse = v.power(-1);
+        let quotient = inverse.map(|own| Expanded::product(&[saddle.clone(), own]));
         assert!(quotient.is_some_and(|own| own.in_one(Parameter::U).is_none()));
-        let minus = Rc::new(Expanded::Number(Real::from(-1)));
-        let opposite = Rc::new(Expanded::product(&[minus, Rc::clone(&saddle)]));
-        let line = Expanded::sum(&[saddle, opposite, Rc::clone(&u)]);
+        let minus = Expanded::Number(Real::from(-1));
+        let opposite = Expanded::product(&[minus, saddle.clone()]);
+        let line = Expanded::sum(&[saddle, opposite, u.clone()]);
         assert_eq!(line.in_one(Parameter::U), u.in_one(Parameter::U));
         assert!(line.in_one(Parameter::V).is_none());
     }
