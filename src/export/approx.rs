@@ -186,6 +186,12 @@ impl Double {
         if Ring::is_zero(numerator) {
             return Some(Self::default());
         }
+        // Small integers are numbers of every format.
+        if let (Ok(own), true) = (i64::try_from(numerator), denominator.is_one())
+            && own.unsigned_abs() < 1 << (precision.fraction_bits() + 1)
+        {
+            return Some(Self::of_parts(own < 0, own.unsigned_abs(), 0));
+        }
         let nearest = || {
             let inverse = Leading::of_integer(denominator).inverse()?;
             let quotient = Leading::of_integer(numerator).times(inverse)?;

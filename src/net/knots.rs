@@ -76,6 +76,10 @@ impl Knots {
     /// The different knots and how often each is repeated.
     #[must_use]
     pub fn multiplicities(&self) -> Vec<(&Real, usize)> {
+        if self.is_bezier() {
+            let (first, last) = self.domain();
+            return vec![(first, self.degree + 1), (last, self.degree + 1)];
+        }
         let runs = self.values.chunk_by(|left, right| left == right);
         runs.filter_map(|run| Some((run.first()?, run.len())))
             .collect()

@@ -140,13 +140,80 @@ impl MachineList {
         // Highest k last: f ← f (1+x) + aₖ xᵏ, beginning with the constant a₀.
         let mut sums = vec![0_i128; degree + 1];
         for order in 0..=degree {
+            let own = powers.get(order).copied().unwrap_or(0);
             let mut below = 0;
             for sum in &mut sums[..=order] {
-                (*sum, below) = (*sum + below, *sum);
+                let before = *sum;
+                *sum += below;
+                below = before;
             }
-            sums[order] += powers.get(order).unwrap_or(&0);
+            sums[order] += own;
         }
         Some(Self(sums))
+    }
+
+    /// k aₖ for k ≥ 1: the coefficients of the derivative.
+    #[must_use]
+    pub fn derivative(list: &[i128]) -> Option<Self> {
+        let length = i128::try_from(list.len()).ok()?;
+        let fits = bits(list) + bits(&[length]) <= DIGITS;
+        fits.then(|| {
+            Self(
+                (1..)
+                    .zip(list.iter().skip(1))
+                    .map(|(k, own)| k * own)
+                    .collect(),
+            )
+        })
+    }
+
+    /// m and the integers 0, m a₀, m a₁ / 2, m a₂ / 3, …: the coefficients of an antiderivative.
+    #[must_use]
+    pub fn antiderivative(list: &[i128]) -> Option<(Self, i128)> {
+        let mut common = 1_i128;
+        for power in 1..=i128::try_from(list.len()).ok()? {
+            let shared = divisor::of_sizes(common.unsigned_abs(), power.unsigned_abs());
+            common = common.checked_mul(power / i128::try_from(shared).ok()?)?;
+        }
+        if bits(list) + bits(&[common]) > DIGITS {
+            return None;
+        }
+        let terms = (1..).zip(list).map(|(power, own)| common / power * own);
+        Some((Self(std::iter::once(0).chain(terms).collect()), common))
+    }
+
+    /// Σ aₖ
+    #[must_use]
+    pub fn total(list: &[i128]) -> Option<i128> {
+        let fits = bits(list) + list.len().max(1).ilog2() < DIGITS;
+        fits.then(|| list.iter().sum())
+    }
+
+    /// The numbers cₖ = C(n, k) Δᵏb₀ for a list b₀ … bₙ: the way back from Bernstein coefficients.
+    ///
+    /// |Δᵏb₀| ≤ 2ⁿ max |bᵢ|
+    #[must_use]
+    pub fn differences(&self, binomials: &[i128]) -> Option<Self> {
+        let growth = u32::try_from(self.0.len()).ok()?;
+        if self.bits().checked_add(growth)? > DIGITS {
+            return None;
+        }
+        let mut row = self.0.clone();
+        // Δᵏb₀ stays at place k.
+        for first in 1..row.len() {
+            for index in (first..row.len()).rev() {
+                row[index] -= row[index - 1];
+            }
+        }
+        Self(row).times_each(binomials)
+    }
+
+    /// aₖ bₖ; a list is not longer than the other.
+    #[must_use]
+    pub fn times_each(&self, factors: &[i128]) -> Option<Self> {
+        let pairs = self.0.iter().zip(factors);
+        let fits = self.bits() + bits(factors) <= DIGITS;
+        fits.then(|| Self(pairs.map(|(own, factor)| own * factor).collect()))
     }
 
     /// The images modulo a prime.

@@ -100,16 +100,32 @@ pub fn from_bernstein<F: Field>(coefficients: &[F], from: &F, to: &F) -> UniPoly
     let Some(inverse) = to.minus(from).inverse() else {
         return UniPoly::constant(&coefficients[0]);
     };
-    let (mut row, denominator) = common_numerators(coefficients);
-    let mut powers = Vec::with_capacity(degree + 1);
-    for binomial in binomials(degree) {
-        powers.push(row[0].scaled(&binomial));
-        row = row.windows(2).map(|pair| pair[1].minus(&pair[0])).collect();
-    }
+    let (row, denominator) = common_numerators(coefficients);
     // t runs from −from/(to−from) at x = 0 to (1−from)/(to−from) at x = 1.
-    let local = UniPoly::from_numerators(powers, denominator);
+    let local = UniPoly::lowest(differences(row, &binomials(degree)), denominator);
+    if from.is_zero() && to.is_one() {
+        return local;
+    }
     let start = from.negated().times(&inverse);
     local.restrict(&start, &start.plus(&inverse))
+}
+
+/// C(n,k) Δᵏb₀, without zeros at the end.
+fn differences<R: Ring>(mut row: Vec<R>, binomials: &[Integer]) -> Numerators<R> {
+    if let (Some(list), Some(factors)) = (MachineList::of(&row), MachineList::of(binomials))
+        && let Some(powers) = list.differences(factors.numbers())
+    {
+        return powers.trimmed().into();
+    }
+    let mut powers = Vec::with_capacity(row.len());
+    for binomial in binomials {
+        powers.push(row[0].scaled(binomial));
+        row = row.windows(2).map(|pair| pair[1].minus(&pair[0])).collect();
+    }
+    while powers.last().is_some_and(Ring::is_zero) {
+        powers.pop();
+    }
+    powers.into()
 }
 
 /// Numerators over one denominator.

@@ -50,7 +50,11 @@ impl<F: Field> BiPoly<F> {
     /// g(v)
     #[must_use]
     pub fn in_v(factor: &UniPoly<F>) -> Self {
-        Self::product(&UniPoly::one(), factor)
+        let mut polynomial = Self::zero();
+        if !factor.is_zero() {
+            polynomial.terms = vec![(UniPoly::one(), factor.clone())];
+        }
+        polynomial
     }
 
     /// f(u) g(v)
@@ -126,6 +130,14 @@ impl<F: Field> BiPoly<F> {
     fn find_bidegree(&self) -> Option<BiDegree> {
         if self.is_zero() {
             return None;
+        }
+        let along = |(in_u, in_v): &(UniPoly<F>, UniPoly<F>)| {
+            Some(BiDegree::new(in_u.degree()?, in_v.degree()?))
+        };
+        let bound = self.terms.iter().filter_map(along).reduce(BiDegree::max)?;
+        let corner = self.terms.iter().filter(|own| along(own) == Some(bound));
+        if has_corner(corner.map(|(in_u, in_v)| (in_u, in_v))) {
+            return Some(bound);
         }
         let in_u = top_degree(self.terms.iter().map(|(in_u, in_v)| (in_u, in_v)));
         let in_v = top_degree(self.terms.iter().map(|(in_u, in_v)| (in_v, in_u)));
@@ -406,17 +418,14 @@ fn top_degree<'a, F: Field>(
     let leading: Vec<_> = leading.collect();
     // Its own highest coefficient is mostly enough.
     let across = leading.iter().filter_map(|(_, other)| other.degree()).max();
-    let highest = leading.iter().filter(|(_, other)| other.degree() == across);
-    let sign = |own: &UniPoly<F>| own.leading_numerator().map(|own| own.sign());
-    let mut signs = highest.clone().map(|(own, other)| sign(own) == sign(other));
-    let first = signs.next()?;
-    if signs.all(|own| own == first) {
+    let highest = leading
+        .iter()
+        .copied()
+        .filter(|(_, other)| other.degree() == across);
+    if has_corner(highest.clone()) {
         return Some(high);
     }
-    if corner_has_digits(highest.clone()) {
-        return Some(high);
-    }
-    let lead = |(own, other): &(&UniPoly<F>, &UniPoly<F>)| {
+    let lead = |(own, other): (&UniPoly<F>, &UniPoly<F>)| {
         own.leading_coefficient()
             .times(&other.leading_coefficient())
     };
@@ -432,10 +441,25 @@ fn top_degree<'a, F: Field>(
     (!sum.is_zero()).then_some(high)
 }
 
-/// Whether leading digits prove that Σ lc(f) lc(g) is not 0.
-fn corner_has_digits<'a, F: Field>(
-    terms: impl Iterator<Item = &'a (&'a UniPoly<F>, &'a UniPoly<F>)>,
+/// Whether signs or leading digits prove that Σ lc(f) lc(g) is not 0.
+fn has_corner<'a, F: Field>(
+    mut terms: impl Iterator<Item = (&'a UniPoly<F>, &'a UniPoly<F>)> + Clone,
 ) -> bool {
+    let all = terms.clone();
+    let sign = |(own, other): (&UniPoly<F>, &UniPoly<F>)| {
+        let [own, other] = [own, other].map(|own| own.leading_numerator().map(|own| own.sign()));
+        own == other
+    };
+    match (terms.next(), terms.next()) {
+        (None, _) => return false,
+        (Some(_), None) => return true,
+        (Some(first), Some(second)) => {
+            let first = sign(first);
+            if first == sign(second) && terms.all(|own| first == sign(own)) {
+                return true;
+            }
+        }
+    }
     let quotient = |own: &UniPoly<F>| {
         let above = LeadingWord::of_element(&*own.leading_numerator()?)?;
         if own.denominator().is_one() {
@@ -443,7 +467,7 @@ fn corner_has_digits<'a, F: Field>(
         }
         above.times(LeadingWord::of_integer(own.denominator()).inverse()?)
     };
-    let mut products = terms.map(|(own, other)| quotient(own)?.times(quotient(other)?));
+    let mut products = all.map(|(own, other)| quotient(own)?.times(quotient(other)?));
     let sum = products.try_fold(LeadingWord::ZERO, |sum, own| sum.plus(own?));
     sum.is_some_and(|own| own != LeadingWord::ZERO)
 }

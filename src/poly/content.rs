@@ -1,4 +1,4 @@
-use super::image::{Image, place_of_all, rank};
+use super::image::{Image, place_of, rank};
 use super::{BiPoly, Coprimality, UniPoly, gcd};
 use crate::number::{Field, Place};
 
@@ -57,8 +57,9 @@ fn coprime_at_point<F: Field>(
     others: &[&BiPoly<F>],
     at_point: AtPoint<F>,
 ) -> Option<Coprimality> {
-    let whole = BiPoly::in_v(alone);
-    let place = place_of_all(others.iter().copied().chain([&whole]))?;
+    let terms = others.iter().flat_map(|own| own.terms());
+    let parts = terms.flat_map(|(in_u, in_v)| [in_u, in_v]);
+    let place = place_of(parts.chain([alone]))?;
     let mut common = Image::of(alone, &place);
     if common.degree() != alone.degree() {
         return None;
@@ -103,7 +104,7 @@ fn are_independent<F: Field>(polynomials: &[&UniPoly<F>]) -> bool {
     if polynomials.len() == 1 {
         return true;
     }
-    let Some(place) = super::image::place_of(polynomials.iter().copied()) else {
+    let Some(place) = place_of(polynomials.iter().copied()) else {
         return false;
     };
     let images = polynomials.iter().map(|own| Image::of(own, &place));

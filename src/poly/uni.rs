@@ -307,6 +307,9 @@ impl<F: Field> UniPoly<F> {
     /// p′(x)
     #[must_use]
     pub fn derivative(&self) -> Self {
+        if let Some(slope) = self.machine().and_then(MachineList::derivative) {
+            return Self::lowest(slope.into(), self.denominator().clone());
+        }
         let numerators = self.numerators().iter().enumerate().skip(1);
         let numerators = numerators.map(|(power, own)| own.scaled(&Integer::from(power)));
         Self::from_numerators(numerators.collect(), self.denominator().clone())
@@ -315,6 +318,12 @@ impl<F: Field> UniPoly<F> {
     /// The polynomial P with P′ = p and P(0) = 0.
     #[must_use]
     pub fn antiderivative(&self) -> Self {
+        if self.is_zero() {
+            return Self::zero();
+        }
+        if let Some((rise, common)) = self.machine().and_then(MachineList::antiderivative) {
+            return Self::lowest(rise.into(), self.denominator() * Integer::from(common));
+        }
         let powers = 1..=self.length();
         let common = powers.fold(Integer::one(), |all, own| lcm(&all, &Integer::from(own)));
         let terms = self.numerators().iter().enumerate();
@@ -328,6 +337,12 @@ impl<F: Field> UniPoly<F> {
     pub fn evaluate(&self, at: &F) -> F {
         if at.is_zero() {
             return self.coefficient(0);
+        }
+        if at.is_one()
+            && let Some(sum) = self.machine().and_then(MachineList::total)
+        {
+            let sum = F::Ring::from_integer(&Integer::from(sum));
+            return F::from_parts(sum, self.denominator().clone());
         }
         let (numerator, denominator) = at.parts();
         let mut value = F::Ring::zero();
