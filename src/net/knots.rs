@@ -14,7 +14,8 @@ impl Knots {
     /// The knots of one span; none if `from` is not less than `to`.
     #[must_use]
     pub fn bezier(degree: usize, from: &Real, to: &Real) -> Option<Self> {
-        let mut values = vec![from.clone(); degree + 1];
+        let mut values = Vec::with_capacity(2 * degree + 2);
+        values.resize(degree + 1, from.clone());
         values.resize(2 * degree + 2, to.clone());
         (from < to).then_some(Self { degree, values })
     }

@@ -96,10 +96,7 @@ impl Sum {
     fn machine(terms: &[Term]) -> Option<Self> {
         let mut lists = Vec::with_capacity(terms.len());
         for Term { in_u, in_v } in terms {
-            if in_v.is_product() {
-                return None;
-            }
-            let pair = [in_u.machine()?, in_v.coefficients().machine()?];
+            let pair = [in_u.machine()?, in_v.machine()?];
             let bits: u32 = pair.iter().map(|own| own.bits()).sum();
             if bits + terms.len().ilog2() >= i128::BITS - 2 {
                 return None;

@@ -92,8 +92,16 @@ impl Products {
 
     /// The coordinate of an axis, W first, at (i, j), times the factor of the point.
     pub(super) fn coordinate(&self, axis: usize, (i, j): (usize, usize)) -> Numerator {
+        let terms = &self.terms[axis];
+        let machine = terms.iter().try_fold(0_i128, |sum, term| {
+            let [left, right] = [term.in_u.machine()?, term.in_v.machine()?];
+            sum.checked_add(left.numbers()[i].checked_mul(right.numbers()[j])?)
+        });
+        if let Some(own) = machine {
+            return Numerator::from_integer(&Integer::from(own));
+        }
         let mut sum = Numerator::zero();
-        for term in &self.terms[axis] {
+        for term in terms {
             sum.add_product(&term.in_u.at(i), &term.in_v.at(j));
         }
         sum

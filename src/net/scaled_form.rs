@@ -3,7 +3,7 @@ use std::cell::OnceCell;
 use std::ops::Range;
 use std::rc::Rc;
 
-use crate::number::{Leading, Ring};
+use crate::number::{Leading, MachineList, Ring};
 use crate::poly::Numerators;
 
 use super::products::Numerator;
@@ -43,11 +43,6 @@ impl ScaledForm {
         }
     }
 
-    /// Whether it is a product that is not multiplied out yet.
-    pub(super) fn is_product(&self) -> bool {
-        self.list.get().is_none()
-    }
-
     /// All coefficients, multiplied out.
     pub(super) fn coefficients(&self) -> &Numerators<Numerator> {
         self.list.get_or_init(|| {
@@ -55,6 +50,11 @@ impl ScaledForm {
             let list = product.map(Product::multiplied);
             list.unwrap_or_default().into()
         })
+    }
+
+    /// The coefficients, if they are multiplied out and machine numbers.
+    pub(super) fn machine(&self) -> Option<&MachineList> {
+        self.list.get()?.machine()
     }
 
     /// One coefficient; the others of a product are not multiplied out for it.

@@ -38,7 +38,18 @@ impl<F: Field> UniPoly<F> {
 /// C(n,0), …, C(n,n)
 #[must_use]
 pub fn binomials(degree: usize) -> Vec<Integer> {
-    let mut row = vec![Integer::from(1)];
+    // C(n, k) ≤ 2ⁿ, and a factor before the division.
+    const MACHINE: usize = 120;
+    let mut row = Vec::with_capacity(degree + 1);
+    if degree <= MACHINE {
+        let mut next = 1_u128;
+        for index in 0..=degree {
+            row.push(Integer::from(next));
+            next = next * (degree - index) as u128 / (index + 1) as u128;
+        }
+        return row;
+    }
+    row.push(Integer::from(1));
     for index in 0..degree {
         let next = &row[index] * Integer::from(degree - index) / Integer::from(index + 1);
         row.push(next);
