@@ -3,7 +3,7 @@ use crate::number::Field;
 use super::{BiDegree, BiPoly, Quotient, UniPoly, exact_div_bi, gcd, gcd_bi, lcm};
 
 /// A denominator D(u) E(v) M(u, v): factors in u alone, in v alone, and the rest, which has no
-/// factor in one variable. All three are primitive, so the value is canonical.
+/// factor in one variable. The first two are of coprime integers, as [`UniPoly::integral`] has them.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Denominator<F: Field> {
     in_u: UniPoly<F>,
@@ -23,12 +23,12 @@ impl<F: Field> Denominator<F> {
         }
     }
 
-    /// D(u) E(v), primitive.
+    /// D(u) E(v), of coprime integers.
     #[must_use]
     pub fn separable(in_u: &UniPoly<F>, in_v: &UniPoly<F>) -> Self {
         Self {
-            in_u: in_u.primitive(),
-            in_v: in_v.primitive(),
+            in_u: in_u.integral().1,
+            in_v: in_v.integral().1,
             mixed: None,
         }
     }

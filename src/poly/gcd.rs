@@ -53,18 +53,19 @@ pub fn gcd_all<'a, F: Field>(polynomials: impl IntoIterator<Item = &'a UniPoly<F
     common
 }
 
-/// The least common multiple, primitive; 0 if one of them is 0.
+/// The least common multiple, of coprime integers as [`UniPoly::integral`] has them; 0 if one of
+/// them is 0.
 #[must_use]
 pub fn lcm<F: Field>(left: &UniPoly<F>, right: &UniPoly<F>) -> UniPoly<F> {
     if right.is_constant() && !right.is_zero() {
-        return left.primitive();
+        return left.integral().1;
     }
     if left == right || (left.is_constant() && !left.is_zero()) {
-        return right.primitive();
+        return right.integral().1;
     }
     let common = gcd(left, right);
     left.exact_div(&common)
-        .map_or_else(UniPoly::zero, |quotient| (&quotient * right).primitive())
+        .map_or_else(UniPoly::zero, |quotient| (&quotient * right).integral().1)
 }
 
 /// The evidence that no non-constant polynomial divides every polynomial of the list; none if

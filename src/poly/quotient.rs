@@ -2,7 +2,7 @@ use crate::number::Field;
 
 use super::{UniPoly, lcm};
 
-/// A rational function n(x) / d(x) in one parameter, unreduced, with a primitive d.
+/// A rational function n(x) / d(x) in one parameter, unreduced, with a d of coprime integers.
 ///
 /// Products never cancel; sums go over the least common multiple of the denominators; 0 keeps its
 /// denominator: as a [`Fraction`](super::Fraction) does in two parameters.
@@ -25,10 +25,10 @@ impl<F: Field> Quotient<F> {
     /// n / d, nothing cancelled but a constant; none if d is 0.
     #[must_use]
     pub fn new(numerator: &UniPoly<F>, denominator: &UniPoly<F>) -> Option<Self> {
-        let (factor, primitive) = denominator.split();
+        let (factor, integral) = denominator.integral();
         Some(Self {
             numerator: numerator.scale(&factor.inverse()?),
-            denominator: primitive,
+            denominator: integral,
         })
     }
 
@@ -38,7 +38,7 @@ impl<F: Field> Quotient<F> {
         &self.numerator
     }
 
-    /// d, primitive
+    /// d, of coprime integers
     #[must_use]
     pub fn denominator(&self) -> &UniPoly<F> {
         &self.denominator
@@ -103,7 +103,7 @@ impl<F: Field> Quotient<F> {
             numerator: &self.numerator * &other.numerator,
             denominator: &self.denominator * &other.denominator,
         }
-        .with_primitive_denominator()
+        .with_integral_denominator()
     }
 
     /// aⁿ for n of either sign; none for 0 to a negative power
@@ -119,7 +119,7 @@ impl<F: Field> Quotient<F> {
                     numerator,
                     denominator,
                 }
-                .with_primitive_denominator(),
+                .with_integral_denominator(),
             )
         }
     }
@@ -140,12 +140,12 @@ impl<F: Field> Quotient<F> {
             numerator: &left - &right,
             denominator: self.denominator.power(2),
         }
-        .with_primitive_denominator()
+        .with_integral_denominator()
     }
 
-    /// Products of primitive polynomials are primitive over the rationals (Gauss's lemma), but
+    /// Products of polynomials of coprime integers are such over the rationals (Gauss's lemma), but
     /// not over every field.
-    fn with_primitive_denominator(self) -> Self {
+    fn with_integral_denominator(self) -> Self {
         if self.denominator.is_rational() {
             return self;
         }

@@ -400,6 +400,31 @@ impl<F: Field> UniPoly<F> {
         (factor.unwrap_or_else(F::zero), primitive)
     }
 
+    /// The number c and the polynomial q with p = c q whose numerators are coprime integers over 1,
+    /// of positive leading coefficient; 0 and 0 for 0.
+    ///
+    /// The primitive multiple where the leading coefficient is rational. Where it is not, the
+    /// numerators stay as short as they are, and another multiple may have other ones.
+    #[must_use]
+    pub fn integral(&self) -> (F, Self) {
+        let lead = self.leading_numerator().filter(|own| own.height() > 0);
+        let Some(lead) = lead else {
+            return self.split();
+        };
+        let content = self.content();
+        let divisor = if lead.sign().is_lt() {
+            -content
+        } else {
+            content
+        };
+        let numerators = self.held().over(&divisor);
+        let factor = F::Ring::from_integer(&divisor);
+        (
+            F::from_parts(factor, self.denominator().clone()),
+            Self::of_parts(numerators, Integer::one()),
+        )
+    }
+
     /// c with p = c q for a primitive q; none for 0.
     fn multiple_of(&self, primitive: &Self) -> Option<F> {
         let (own, lead) = (self.leading_numerator()?, primitive.leading_numerator()?);
