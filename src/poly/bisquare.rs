@@ -121,7 +121,10 @@ pub fn sum_of_squares_refuted<F: Field>(parts: &[BiPoly<F>]) -> Option<String> {
             let images: Option<Vec<Image>> = images.collect();
             Some(Image::sum_of_squares(&images?, place.modulus()))
         };
-        for (variable, image) in [("u", images(Image::at_u)), ("v", images(Image::at_v))] {
+        for (variable, image) in [
+            ("u", images(Image::value_at_u)),
+            ("v", images(Image::value_at_v)),
+        ] {
             if !image?.is_square() {
                 return Some(shown(&prime, variable, point));
             }

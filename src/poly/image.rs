@@ -48,21 +48,54 @@ impl Image {
     /// The image of p(a, v), a polynomial in v, up to a factor; none if a denominator vanishes in it.
     pub(super) fn at_u<F: Field>(polynomial: &BiPoly<F>, at: u64, place: &Place) -> Option<Self> {
         let terms = polynomial.terms().iter();
-        Self::at(terms.map(|(in_u, in_v)| (in_u, in_v)), at, place)
+        let own = Self::at(terms.map(|(in_u, in_v)| (in_u, in_v)), at, place)?;
+        Some(own.0)
     }
 
     /// The image of p(u, b), a polynomial in u, up to a factor.
     pub(super) fn at_v<F: Field>(polynomial: &BiPoly<F>, at: u64, place: &Place) -> Option<Self> {
         let terms = polynomial.terms().iter();
-        Self::at(terms.map(|(in_u, in_v)| (in_v, in_u)), at, place)
+        let own = Self::at(terms.map(|(in_u, in_v)| (in_v, in_u)), at, place)?;
+        Some(own.0)
     }
 
-    /// Σ fₖ(a) gₖ, up to a factor
+    /// The image of p(a, v) itself.
+    pub(super) fn value_at_u<F: Field>(
+        polynomial: &BiPoly<F>,
+        at: u64,
+        place: &Place,
+    ) -> Option<Self> {
+        let terms = polynomial.terms().iter();
+        let (own, below) = Self::at(terms.map(|(in_u, in_v)| (in_u, in_v)), at, place)?;
+        Some(own.over(below))
+    }
+
+    /// The image of p(u, b) itself.
+    pub(super) fn value_at_v<F: Field>(
+        polynomial: &BiPoly<F>,
+        at: u64,
+        place: &Place,
+    ) -> Option<Self> {
+        let terms = polynomial.terms().iter();
+        let (own, below) = Self::at(terms.map(|(in_u, in_v)| (in_v, in_u)), at, place)?;
+        Some(own.over(below))
+    }
+
+    fn over(mut self, divisor: u64) -> Self {
+        let modulus = self.modulus;
+        let inverse = modulus.inverse(divisor);
+        for own in &mut self.coefficients {
+            *own = modulus.times(*own, inverse);
+        }
+        self
+    }
+
+    /// d Σ fₖ(a) gₖ and d, the product of all denominators.
     fn at<'a, F: Field>(
         terms: impl Iterator<Item = (&'a UniPoly<F>, &'a UniPoly<F>)>,
         at: u64,
         place: &Place,
-    ) -> Option<Self> {
+    ) -> Option<(Self, u64)> {
         let modulus = place.modulus();
         let at = modulus.embed(at);
         // Over the product of the denominators so far.
@@ -88,7 +121,7 @@ impl Image {
                 *own = modulus.plus(*own, modulus.times(image, weight));
             }
         }
-        Some(Self::new(sum, modulus))
+        Some((Self::new(sum, modulus), below))
     }
 
     fn evaluate(&self, at: u64) -> u64 {
@@ -255,6 +288,10 @@ mod tests {
         let polynomial = BiPoly::from_rows(&rows);
         // up to the denominator that the image of a univariate polynomial leaves out
         let modulus = Modulus::mersenne();
+        let exact = |image: Option<Image>, own: &UniPoly<_>| {
+            let denominator = modulus.embed_integer(own.denominator());
+            image == Some(Image::of(own, &Place::rational()).over(denominator))
+        };
         let proportional = |left: &Image, right: &Image| {
             let (left, right) = (&left.coefficients, &right.coefficients);
             let same =
@@ -266,6 +303,8 @@ mod tests {
         let in_v = Image::at_u(&polynomial, 7, &place);
         let in_u = Image::at_v(&polynomial, 7, &place);
         let (at_u, at_v) = (polynomial.at_u(&at), polynomial.at_v(&at));
+        assert!(exact(Image::value_at_u(&polynomial, 7, &place), &at_u));
+        assert!(exact(Image::value_at_v(&polynomial, 7, &place), &at_v));
         assert!(in_v.is_some_and(|own| proportional(&own, &Image::of(&at_u, &place))));
         assert!(in_u.is_some_and(|own| proportional(&own, &Image::of(&at_v, &place))));
     }
