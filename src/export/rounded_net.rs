@@ -181,14 +181,14 @@ impl RoundedNet {
                     .map(|(j, own)| (bits(own[0]), (i, j))),
             );
         }
-        order.sort_unstable();
+        order.sort_unstable_by_key(|own| own.0);
         let mut pairs = Vec::new();
         for alike in order.chunk_by_mut(|left, right| left.0 == right.0) {
             if alike.len() == 1 {
                 continue;
             }
             let rest = |(i, j): (usize, usize)| [1, 2].map(|axis| bits(self.points[i][j][axis]));
-            alike.sort_by_key(|own| rest(own.1));
+            alike.sort_unstable_by_key(|own| (rest(own.1), own.1));
             for kind in alike.chunk_by(|left, right| rest(left.1) == rest(right.1)) {
                 pairs.extend(kind[1..].iter().map(|later| (kind[0].1, later.1)));
             }

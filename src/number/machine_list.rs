@@ -106,19 +106,25 @@ impl MachineList {
         common
     }
 
-    /// Σ fₖ aₖ for lists aₖ and factors fₖ.
+    /// Σ fₖ aₖ for lists aₖ and factors fₖ; none where one is not known.
     #[must_use]
-    pub fn combination(terms: &[(&[i128], i128)]) -> Option<Self> {
-        let size = |(list, factor): &(&[i128], i128)| bits(list) + bits(&[*factor]);
-        let longest = terms.iter().map(size).max().unwrap_or(0);
-        if longest + terms.len().max(1).ilog2() + 1 > DIGITS {
+    pub fn combination<'a>(
+        terms: impl Iterator<Item = Option<(&'a [i128], i128)>> + Clone,
+    ) -> Option<Self> {
+        let (mut longest, mut length, mut count) = (0, 0, 0_usize);
+        for term in terms.clone() {
+            let (list, factor) = term?;
+            longest = longest.max(bits(list) + bits(&[factor]));
+            length = length.max(list.len());
+            count += 1;
+        }
+        if longest + count.max(1).ilog2() + 1 > DIGITS {
             return None;
         }
-        let length = terms.iter().map(|(list, _)| list.len()).max();
-        let mut sums = vec![0_i128; length.unwrap_or(0)];
-        for (list, factor) in terms {
-            let places = sums.iter_mut().zip(*list);
-            if *factor == 1 {
+        let mut sums = vec![0_i128; length];
+        for (list, factor) in terms.flatten() {
+            let places = sums.iter_mut().zip(list);
+            if factor == 1 {
                 places.for_each(|(sum, own)| *sum += own);
             } else {
                 places.for_each(|(sum, own)| *sum += own * factor);

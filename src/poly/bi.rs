@@ -437,7 +437,7 @@ fn top_degree<'a, F: Field>(
         .iter()
         .map(|(own, other)| other.scale(&own.leading_coefficient()));
     let scaled: Vec<_> = scaled.collect();
-    let sum = UniPoly::sum(&scaled.iter().collect::<Vec<_>>());
+    let sum = UniPoly::sum(scaled.iter());
     (!sum.is_zero()).then_some(high)
 }
 

@@ -27,8 +27,8 @@ impl<F: Field> Denominator<F> {
     #[must_use]
     pub fn separable(in_u: &UniPoly<F>, in_v: &UniPoly<F>) -> Self {
         Self {
-            in_u: in_u.integral().1,
-            in_v: in_v.integral().1,
+            in_u: in_u.integral(),
+            in_v: in_v.integral(),
             mixed: None,
         }
     }

@@ -58,14 +58,14 @@ pub fn gcd_all<'a, F: Field>(polynomials: impl IntoIterator<Item = &'a UniPoly<F
 #[must_use]
 pub fn lcm<F: Field>(left: &UniPoly<F>, right: &UniPoly<F>) -> UniPoly<F> {
     if right.is_constant() && !right.is_zero() {
-        return left.integral().1;
+        return left.integral();
     }
     if left == right || (left.is_constant() && !left.is_zero()) {
-        return right.integral().1;
+        return right.integral();
     }
     let common = gcd(left, right);
     left.exact_div(&common)
-        .map_or_else(UniPoly::zero, |quotient| (&quotient * right).integral().1)
+        .map_or_else(UniPoly::zero, |quotient| (&quotient * right).integral())
 }
 
 /// The evidence that no non-constant polynomial divides every polynomial of the list; none if

@@ -25,7 +25,7 @@ impl<F: Field> Quotient<F> {
     /// n / d, nothing cancelled but a constant; none if d is 0.
     #[must_use]
     pub fn new(numerator: &UniPoly<F>, denominator: &UniPoly<F>) -> Option<Self> {
-        let (factor, integral) = denominator.integral();
+        let (factor, integral) = denominator.split_integral();
         Some(Self {
             numerator: numerator.scale(&factor.inverse()?),
             denominator: integral,
@@ -70,7 +70,7 @@ impl<F: Field> Quotient<F> {
         let raised = all.map(|own| own.numerator_over(&denominator));
         let raised: Vec<_> = raised.collect();
         Some(Self {
-            numerator: UniPoly::sum(&raised.iter().collect::<Vec<_>>()),
+            numerator: UniPoly::sum(raised.iter()),
             denominator,
         })
     }

@@ -6,38 +6,41 @@ use crate::number::{Field, Integer, MachineList, Ring, lcm};
 impl<F: Field> UniPoly<F> {
     /// p + q + …
     #[must_use]
-    pub fn sum(terms: &[&Self]) -> Self {
-        if let [only] = terms {
-            return (*only).clone();
+    pub fn sum<'a>(terms: impl Iterator<Item = &'a Self> + Clone) -> Self {
+        let mut rest = terms.clone();
+        match (rest.next(), rest.next()) {
+            (None, _) => return Self::zero(),
+            (Some(only), None) => return only.clone(),
+            _ => {}
         }
-        let common = terms
-            .iter()
-            .fold(Integer::one(), |all, own| lcm(&all, own.denominator()));
-        let scaled = terms.iter().map(|own| (*own, &common / own.denominator()));
-        Self::combination(&scaled.collect::<Vec<_>>(), common)
+        let denominators = terms.clone().map(Self::denominator);
+        let common = denominators.fold(Integer::one(), |all, own| lcm(&all, own));
+        let scaled = terms.map(|own| (own, &common / own.denominator()));
+        Self::combination(scaled, &common)
     }
 
     /// Σ fₖ pₖ / d for the numerators pₖ of polynomials.
-    fn combination(terms: &[(&Self, Integer)], denominator: Integer) -> Self {
+    fn combination<'a>(
+        terms: impl Iterator<Item = (&'a Self, Integer)> + Clone,
+        denominator: &Integer,
+    ) -> Self {
         let machine = terms
-            .iter()
+            .clone()
             .map(|(own, factor)| Some((own.machine()?, factor.machine()?)));
-        if let Some(terms) = machine.collect::<Option<Vec<_>>>()
-            && let Some(sums) = MachineList::combination(&terms)
-        {
-            return Self::lowest(sums.trimmed().into(), denominator);
+        if let Some(sums) = MachineList::combination(machine) {
+            return Self::lowest(sums.trimmed().into(), denominator.clone());
         }
-        let length = terms.iter().map(|(own, _)| own.numerators().len()).max();
+        let length = terms.clone().map(|(own, _)| own.numerators().len()).max();
         let mut sums = vec![F::Ring::zero(); length.unwrap_or(0)];
         for (term, factor) in terms {
-            let factor = F::Ring::from_integer(factor);
+            let factor = F::Ring::from_integer(&factor);
             for (sum, own) in sums.iter_mut().zip(term.numerators()) {
                 if !own.is_zero() {
                     sum.add_product(own, &factor);
                 }
             }
         }
-        Self::from_numerators(sums, denominator)
+        Self::from_numerators(sums, denominator.clone())
     }
 }
 
@@ -47,7 +50,7 @@ impl<F: Field> Add for &UniPoly<F> {
         match (self.is_zero(), other.is_zero()) {
             (true, _) => other.clone(),
             (_, true) => self.clone(),
-            _ => UniPoly::sum(&[self, other]),
+            _ => UniPoly::sum([self, other].into_iter()),
         }
     }
 }
@@ -63,6 +66,6 @@ impl<F: Field> Sub for &UniPoly<F> {
             &common / self.denominator(),
             -(&common / other.denominator()),
         );
-        UniPoly::combination(&[(self, left), (other, right)], common)
+        UniPoly::combination([(self, left), (other, right)].into_iter(), &common)
     }
 }

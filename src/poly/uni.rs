@@ -389,50 +389,55 @@ impl<F: Field> UniPoly<F> {
         Self(found.as_ref().unwrap_or(&self.0).clone())
     }
 
+    /// The multiple whose numerators are coprime integers over 1, of positive leading coefficient,
+    /// by a rational factor; 0 for 0.
+    ///
+    /// The primitive multiple where the leading coefficient is rational. Where it is not, the
+    /// numerators stay as short as they are, and a multiple of the polynomial may have others.
+    #[must_use]
+    pub fn integral(&self) -> Self {
+        match self.leading_numerator() {
+            Some(lead) if lead.height() > 0 => {
+                let content = self.content();
+                let divisor = if lead.sign().is_lt() {
+                    -content
+                } else {
+                    content
+                };
+                Self::of_parts(self.held().over(&divisor), Integer::one())
+            }
+            _ => self.primitive(),
+        }
+    }
+
     /// The number c and the primitive q with p = c q; 0 and 0 for 0.
     #[must_use]
     pub fn split(&self) -> (F, Self) {
-        let primitive = self.primitive();
-        if primitive == *self && !self.is_zero() {
-            return (F::one(), primitive);
-        }
-        let factor = self.multiple_of(&primitive);
-        (factor.unwrap_or_else(F::zero), primitive)
+        self.factored(self.primitive())
     }
 
-    /// The number c and the polynomial q with p = c q whose numerators are coprime integers over 1,
-    /// of positive leading coefficient; 0 and 0 for 0.
-    ///
-    /// The primitive multiple where the leading coefficient is rational. Where it is not, the
-    /// numerators stay as short as they are, and another multiple may have other ones.
+    /// The number c and the q of [`UniPoly::integral`] with p = c q; 0 and 0 for 0.
     #[must_use]
-    pub fn integral(&self) -> (F, Self) {
-        let lead = self.leading_numerator().filter(|own| own.height() > 0);
-        let Some(lead) = lead else {
-            return self.split();
-        };
-        let content = self.content();
-        let divisor = if lead.sign().is_lt() {
-            -content
-        } else {
-            content
-        };
-        let numerators = self.held().over(&divisor);
-        let factor = F::Ring::from_integer(&divisor);
-        (
-            F::from_parts(factor, self.denominator().clone()),
-            Self::of_parts(numerators, Integer::one()),
-        )
+    pub fn split_integral(&self) -> (F, Self) {
+        self.factored(self.integral())
     }
 
-    /// c with p = c q for a primitive q; none for 0.
-    fn multiple_of(&self, primitive: &Self) -> Option<F> {
-        let (own, lead) = (self.leading_numerator()?, primitive.leading_numerator()?);
+    fn factored(&self, multiple: Self) -> (F, Self) {
+        if multiple == *self && !self.is_zero() {
+            return (F::one(), multiple);
+        }
+        let factor = self.multiple_of(&multiple);
+        (factor.unwrap_or_else(F::zero), multiple)
+    }
+
+    /// c with p = c q; none for 0.
+    fn multiple_of(&self, other: &Self) -> Option<F> {
+        let (own, lead) = (self.leading_numerator()?, other.leading_numerator()?);
         // Mostly the content, with a sign.
         if let Some(factor) = own.quotient(&lead) {
             return Some(F::from_parts(factor, self.denominator().clone()));
         }
-        let inverse = primitive.leading_coefficient().inverse()?;
+        let inverse = other.leading_coefficient().inverse()?;
         Some(self.leading_coefficient().times(&inverse))
     }
 

@@ -224,7 +224,7 @@ impl HomogeneousSurface {
         };
         let reduction = Reduction {
             constructed: bidegrees,
-            common_factor: normal_form(&factor.polynomial(), domain),
+            common_factor: factor.polynomial(domain),
             coprimality,
             surface: Self::scaled(reduced, domain),
         };
@@ -366,12 +366,19 @@ impl CommonFactor {
         self.in_u.is_constant() && self.in_v.is_constant() && self.mixed.is_none()
     }
 
-    fn polynomial(&self) -> BiPoly<Real> {
+    /// Multiplied out, in the normal form that W has alone.
+    fn polynomial(&self, domain: &Domain) -> BiPoly<Real> {
+        if self.is_one() {
+            return BiPoly::one();
+        }
         let separable = BiPoly::product(&self.in_u, &self.in_v);
-        match &self.mixed {
+        let whole = match &self.mixed {
             None => separable,
             Some(mixed) => &separable * mixed,
-        }
+        };
+        let zero = BiPoly::zero;
+        let alone = [whole, zero(), zero(), zero()];
+        HomogeneousSurface::scaled(alone, domain).coordinates()[0].clone()
     }
 
     fn divide(&self, polynomial: &BiPoly<Real>) -> BiPoly<Real> {
@@ -452,16 +459,6 @@ fn coprime_integers(coordinates: &[BiPoly<Real>; 4]) -> [BiPoly<Real>; 4] {
     }
     let factor = Real::from_parts(Ring::from_integer(&multiple), divisor);
     coordinates.each_ref().map(|own| own.scale(&factor))
-}
-
-/// A polynomial in the normal form that W has alone.
-fn normal_form(polynomial: &BiPoly<Real>, domain: &Domain) -> BiPoly<Real> {
-    if polynomial.as_constant().is_some() {
-        return BiPoly::one();
-    }
-    let zero = BiPoly::zero;
-    let alone = [polynomial.clone(), zero(), zero(), zero()];
-    HomogeneousSurface::scaled(alone, domain).coordinates()[0].clone()
 }
 
 /// The coefficient of the lowest power of u, and of v among those.
