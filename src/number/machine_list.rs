@@ -247,3 +247,114 @@ fn bits(list: &[i128]) -> u32 {
 fn word(own: i128) -> i64 {
     i64::try_from(own).unwrap_or_default()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Lists of numbers near ±2ᵏ, 0 and ±1.
+    fn edges() -> Vec<Vec<i128>> {
+        let number = |power: u32, index: usize| {
+            let power = 1_i128 << power;
+            match index % 7 {
+                0 => 0,
+                1 => power,
+                2 => -power,
+                3 => power - 1,
+                4 => 1 - power,
+                5 => -1,
+                _ => 1,
+            }
+        };
+        let powers = [0, 1, 31, 61, 62, 63, 64, 100, 116, 120, 124, 125, 126];
+        let lists = powers.into_iter().flat_map(|power| {
+            (0..21).map(move |seed: usize| {
+                let length = 1 + seed % 9;
+                let place = |index: usize| index * index + seed * index + seed;
+                (0..length).map(|own| number(power, place(own))).collect()
+            })
+        });
+        lists.collect()
+    }
+
+    fn whole(list: &[i128]) -> Vec<Integer> {
+        list.iter().copied().map(Integer::from).collect()
+    }
+
+    /// An answer is the exact one, and where there is none some number is long.
+    fn agrees(answer: Option<&[i128]>, exact: &[Integer], margin: u64) {
+        match answer {
+            Some(own) => assert_eq!(whole(own), exact),
+            None => {
+                let bits = exact.iter().map(Integer::bits).max().unwrap_or(0);
+                assert!(bits + margin > u64::from(DIGITS), "{exact:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn multiples_and_sums_are_exact_or_none() {
+        let factors = [1, -1, 3, -12, 1 << 40, -(1 << 62), (1 << 63) - 1, 1 << 100];
+        for (index, list) in edges().into_iter().enumerate() {
+            let (own, factor) = (MachineList(list.clone()), factors[index % factors.len()]);
+            let scaled = own.times_ratio(factor, 1);
+            let times = |list: &[i128]| -> Vec<Integer> {
+                let factor = Integer::from(factor);
+                whole(list).iter().map(|own| own * &factor).collect()
+            };
+            agrees(scaled.as_ref().map(MachineList::numbers), &times(&list), 1);
+            if let Some(scaled) = scaled {
+                let back = scaled.times_ratio(-1, factor);
+                let opposite: Vec<i128> = list.iter().map(|own| -own).collect();
+                assert!(back.is_none_or(|own| own.numbers() == opposite));
+                let content = scaled.content_with(0);
+                assert!(content.is_multiple_of(factor.unsigned_abs()) || content == 0);
+            }
+            let other = &edges()[(3 * index + 1) % 200];
+            let sum =
+                MachineList::combination([Some((&*list, factor)), Some((other, 1))].into_iter());
+            let mut exact = times(&list);
+            exact.resize(list.len().max(other.len()), Integer::from(0));
+            for (sum, own) in exact.iter_mut().zip(other) {
+                *sum = &*sum + Integer::from(*own);
+            }
+            let longest = bits(&list) + bits(&[factor]);
+            match &sum {
+                Some(own) => assert_eq!(whole(own.numbers()), exact),
+                None => assert!(longest.max(bits(other)) + 2 > DIGITS),
+            }
+            let total = MachineList::total(&list).map(Integer::from);
+            let exact = whole(&list)
+                .iter()
+                .fold(Integer::from(0), |all, own| all + own);
+            assert!(total.is_none_or(|own| own == exact));
+        }
+    }
+
+    #[test]
+    fn derivatives_and_differences_are_exact_or_none() {
+        let binomials = [1, 8, 28, 56, 70, 56, 28, 8, 1];
+        for list in edges() {
+            let (rise, common) = match MachineList::antiderivative(&list) {
+                Some((own, common)) => (own, common),
+                None => {
+                    assert!(bits(&list) + 12 > DIGITS);
+                    continue;
+                }
+            };
+            let slope = MachineList::derivative(rise.numbers());
+            let exact: Vec<Integer> = whole(&list)
+                .iter()
+                .map(|own| own * Integer::from(common))
+                .collect();
+            agrees(slope.as_ref().map(MachineList::numbers), &exact, 5);
+            if list.len() == binomials.len() {
+                // Σ cₖ xᵏ (1+x)ⁿ⁻ᵏ leads back to C(n, i) bᵢ.
+                let powers = MachineList(list.clone()).differences(&binomials);
+                let back = powers.map(|own| MachineList::binomial_sums(own.numbers(), 8));
+                let scaled = MachineList(list.clone()).times_each(&binomials);
+                assert!(back.flatten().is_none_or(|own| Some(own) == scaled));
+            }
+        }
+    }
+}
