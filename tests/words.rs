@@ -247,6 +247,54 @@ fn expectations_are_not_joined() {
             "one relation stands in an `expect`",
             "",
         ),
+    ]);
+}
+
+#[test]
+fn claims_stand_alone() {
+    hold(&[
+        (
+            Code::E0006,
+            "surface R = (u, v, 0)\nexpect (1 == 1) and (2 == 2)",
+            "write `expect A == B`, an `expect` for each claim",
+            "",
+        ),
+        (
+            Code::E0006,
+            "surface R = (u, v, 0)\nexpect 2 == 2 and (1 == 1)",
+            "a claim stands without parentheses",
+            "",
+        ),
+        (
+            Code::E0006,
+            "surface R = (u, v, 0)\nexpect ((1) == (1)) # sure\nlet a = 2",
+            "a claim stands without parentheses",
+            "surface R = (u, v, 0)\nexpect (1) == (1) # sure\nlet a = 2",
+        ),
+        (
+            Code::E0002,
+            "surface R = (u, v, 0)\nexpect 1 == 1 && 2 == 2",
+            "an `expect` holds one claim",
+            "",
+        ),
+        (
+            Code::E0006,
+            "surface R = (u, v, 0)\nexpect 1 == 1, 2 == 2",
+            "write an `expect` for each claim",
+            "surface R = (u, v, 0)\nexpect 1 == 1\nexpect 2 == 2",
+        ),
+        (
+            Code::E0006,
+            "surface R = (u, v, 0)\nexpect regular(R), positive_weights(R)",
+            "write an `expect` for each claim",
+            "surface R = (u, v, 0)\nexpect regular(R)\nexpect positive_weights(R)",
+        ),
+        (
+            Code::E0006,
+            "surface R = (u, v, 0)\nexpect bidegree(R) == 1, 1",
+            "a pair is written `(a, b)`",
+            "",
+        ),
         (
             Code::E0008,
             "let and = 2\nsurface R = (u, v, 0)\nexpect 4 == and 2",

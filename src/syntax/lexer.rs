@@ -243,6 +243,7 @@ fn lexeme(input: &str) -> Read<'_, Lexeme> {
         c if c.is_ascii_digit() => number(input),
         c if is_word_character(c) => value(Lexeme::Word, take_while(is_word_character)).parse(rest),
         '#' => value(Lexeme::Comment, line).parse(rest),
+        '&' => value(Lexeme::Foreign('&'), take_while(|own| own == '&')).parse(rest),
         '"' => string(rest),
         c if is_superscript(c) => {
             value(Lexeme::Superscript, take_while(is_superscript)).parse(rest)
@@ -560,6 +561,7 @@ fn misplaced(c: char, span: Span) -> Diagnostic {
     };
     match c {
         '{' | '}' => finding.help("brackets are `(…)`, and `[…]` for lists and domains"),
+        '&' => finding.help("an `expect` holds one claim: write an `expect` for each"),
         '!' => finding.help("`!=` is the only sign with `!`"),
         '√' => finding.help("write `sqrt(…)`"),
         _ => finding,
