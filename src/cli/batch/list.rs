@@ -102,6 +102,9 @@ impl List {
             let fields: Vec<String> = fields.map(std::borrow::Cow::into_owned).collect();
             if self.names.is_empty() {
                 self.take_header(&fields, span, findings);
+                if findings.has_errors() {
+                    return;
+                }
                 continue;
             }
             match self.row(&fields, span, limits) {
@@ -126,7 +129,11 @@ impl List {
         self.header = span;
         self.names = fields.iter().map(|own| canonical_name(own)).collect();
         for (index, name) in self.names.iter().enumerate() {
-            if self.names[..index].contains(name) {
+            if name.is_empty() {
+                let message = format!("column {} has no name", index + 1);
+                let finding = Diagnostic::new(Code::E0605, span, message);
+                findings.push(finding.help("name it, or remove its comma from every line"));
+            } else if self.names[..index].contains(name) {
                 let message = format!("`{name}` has two columns");
                 findings.push(Diagnostic::new(Code::E0605, span, message));
             }
