@@ -1,5 +1,6 @@
 //! STEP (ISO 10303-21) by AP203, AP214 or AP242: B-spline faces in shells with shared edges.
 
+mod configuration;
 mod entities;
 mod geometry;
 mod product;
