@@ -31,6 +31,7 @@ impl Lowerer<'_> {
         }
         let finding = match self.misplaced(name, scope) {
             Some(finding) => finding,
+            None if self.lacks_import && lost.is_none() => return Reported,
             None => self.not_declared(name, lost.map(|(_, keyword)| keyword), scope),
         };
         self.report(finding)

@@ -54,9 +54,9 @@ impl Input {
     ) -> Result<Self, Refusal> {
         let parsed = Parsed::read(file, &arguments.limits());
         let documents = parsed.documents.as_slice();
-        let mut options = options(arguments, documents, file)?;
+        let mut options = options(arguments, &parsed, file)?;
         complete(&mut options, own);
-        let is_sound = parsed.is_readable() && !parsed.diagnostics.has_errors();
+        let is_sound = parsed.is_sound();
         if is_sound {
             for name in variants.grid() {
                 check_parameter(name, documents, file)?;
