@@ -83,7 +83,7 @@ codes! {
     E0207 "division by zero",
     E0208 "a malformed curve",
     E0210 "a square root that is not rational",
-    E0211 "domains that differ",
+    E0211 "domains or units that differ",
     // surfaces and exactness
     E0301 "a pole on the domain",
     E0302 "not a surface",
