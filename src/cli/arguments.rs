@@ -6,7 +6,6 @@ use clap_complete::Shell;
 
 use crate::diag::Limits;
 use crate::export::{StepSchema, View};
-use crate::number::{Field, Real};
 
 use super::watch::Budget;
 
@@ -129,8 +128,8 @@ pub(super) struct CompileArguments {
     /// The greatest distance between a surface and the triangles of `mesh`, `ply`, `stl` and
     /// `glb`, exactly and in the file's unit: 1/100, 0.01; a thousandth of the size if it is left
     /// out
-    #[arg(long, value_name = "TOLERANCE", value_parser = positive)]
-    pub(super) chord: Option<Real>,
+    #[arg(long, value_name = "TOLERANCE")]
+    pub(super) chord: Option<String>,
 }
 
 #[derive(Debug, Args)]
@@ -205,13 +204,6 @@ pub(super) enum ReportFormat {
     Text,
     Json,
     Markdown,
-}
-
-/// An exact number above 0.
-fn positive(text: &str) -> Result<Real, &'static str> {
-    let number = text.trim().parse::<Real>().ok();
-    let positive = number.filter(|own| own.sign().is_gt());
-    positive.ok_or("not an exact number above 0 such as 1/100 or 0.01")
 }
 
 #[derive(Debug, Clone, Copy, Args)]

@@ -48,6 +48,7 @@ impl Input {
     pub(super) fn read(
         file: &Path,
         variants: &Variants,
+        emit: &Emit,
         own: &CompileArguments,
         arguments: &Arguments,
         findings: &mut Diagnostics,
@@ -55,7 +56,7 @@ impl Input {
         let parsed = Parsed::read(file, &arguments.limits());
         let documents = parsed.documents.as_slice();
         let mut options = options(arguments, &parsed, file)?;
-        complete(&mut options, own);
+        complete(&mut options, emit, own);
         let is_sound = parsed.is_sound();
         if is_sound {
             for name in variants.grid() {
