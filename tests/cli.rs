@@ -337,6 +337,19 @@ fn every_format_that_refuses_a_surface_is_named() {
 }
 
 #[test]
+fn every_format_that_warns_of_a_surface_is_named() {
+    let text = "surface R = (u, v, 1 / (1 + 2000 u))\nsurface S = (u, v + 2, 1 / (1 + 2000 u))\n";
+    let folder = folder(text);
+    let arguments = ["compile", "x.sweep", "--emit", "step,iges,obj,json"];
+    let output = run(folder.path(), &arguments, "");
+    let told = err(&output);
+    assert_eq!(status(&output), 0, "{told}");
+    assert_eq!(told.matches("warning[W1006]").count(), 2, "{told}");
+    let note = "in the files: `step`, `iges`, `obj`\n";
+    assert_eq!(told.matches(note).count(), 2, "{told}");
+}
+
+#[test]
 fn what_a_missing_import_declares_is_not_missed() {
     let uses = "surface R = (q u, v, x(u))\nsurface S = swept(p, c)\nexpect regular(T)\n\
                 construction own(a) = a + w\n";

@@ -8,10 +8,10 @@ use crate::pipeline::{Compilation, Options};
 use crate::report::{Report, render_json};
 
 use super::arguments::CompileArguments;
+use super::format_findings::FormatFindings;
 use super::numeral::numeral;
 use super::output::named;
 use super::refusal::Refusal;
-use super::refused_formats::RefusedFormats;
 use super::session::Misuse;
 
 /// What is to be written.
@@ -122,11 +122,14 @@ impl Emit {
         for surface in compilation.sound_surfaces() {
             let span = surface.definition().span;
             let exports = compilation.export(surface, &self.formats, &shown, options);
-            let mut refusals = RefusedFormats::default();
+            let mut refusals = FormatFindings::default();
+            let mut warnings = FormatFindings::default();
             for (format, result) in exports {
                 match result {
                     Ok(exported) => {
-                        findings.extend(exported.warnings.into_iter().map(|own| own.at(span)));
+                        for warning in exported.warnings {
+                            warnings.add(format.name, warning.at(span));
+                        }
                         let ending = format!("-{}.{}", surface.name(), format.extension);
                         files.push(Product {
                             surface: Some(surface.name().to_owned()),
@@ -137,9 +140,10 @@ impl Emit {
                 }
             }
             refused.extend(refusals.formats());
+            findings.extend(warnings.findings("in the files"));
             findings.extend(refusals.findings("not written"));
         }
-        let mut refusals = RefusedFormats::default();
+        let mut refusals = FormatFindings::default();
         for (format, result) in compilation.export_together(&self.formats, &shown, options) {
             match result {
                 // What is odd about a surface is told with its own file.

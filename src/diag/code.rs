@@ -90,7 +90,7 @@ codes! {
     E0303 "nothing to build",
     E0304 "a weight that the format cannot carry",
     E0305 "a degree that the format cannot carry",
-    E0306 "a number outside the range of doubles",
+    E0306 "a number outside the range of the format",
     E0307 "the unit normal is not rational",
     E0308 "a mesh that the numbers of the format do not resolve",
     // expectations
