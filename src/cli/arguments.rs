@@ -141,7 +141,8 @@ pub(super) struct ExplainArguments {
 
 #[derive(Debug, Args)]
 pub(super) struct FmtArguments {
-    /// The files to format; what is read from standard input goes to standard output
+    /// The files to format, each on its own: one with errors stays as it is; what is read from
+    /// standard input goes to standard output
     #[arg(required = true, value_name = "FILE")]
     pub(super) files: Vec<PathBuf>,
     /// Write nothing; list the files that would change, and how
@@ -242,7 +243,7 @@ struct LimitArguments {
     /// Variants of a run
     #[arg(long, value_name = "VARIANTS", global = true, default_value_t = Limits::default().variants)]
     max_variants: usize,
-    /// Seconds of a run
+    /// Seconds of a run, for all its files and variants together
     #[arg(long, value_name = "SECONDS", global = true, default_value_t = 60)]
     max_seconds: u64,
     /// Memory of a run, where the system tells it
