@@ -444,6 +444,8 @@ fn lists_that_are_none() {
             "has 1 values, the first line 2 names",
         ),
         ("d,\n1,\n2\n", 1, &["E0605"], "column 2 has no name"),
+        ("1\n2\n", 1, &["E0605"], "the first line names the"),
+        ("d;e\n1;2\n", 1, &["E0605"], "separated by commas"),
         ("d,d\n1,2\n", 1, &["E0605"], "`d` has two columns"),
         ("d\n", 1, &["E0605"], "lists no variant"),
         ("", 1, &["E0605"], "lists no variant"),

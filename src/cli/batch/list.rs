@@ -143,6 +143,16 @@ impl List {
             let finding = Diagnostic::new(Code::E0605, span, message);
             findings.push(help_with_quotes(finding, field));
         }
+        let unquoted = fields.iter().filter(|own| !own.contains('"'));
+        for field in unquoted.filter(|own| !own.is_empty() && !is_name(own)) {
+            let message = format!("`{field}` is no name");
+            let help = match field.contains([';', '\t']) {
+                true => "columns are separated by commas",
+                false => "the first line names the parameters",
+            };
+            let finding = Diagnostic::new(Code::E0605, span, message);
+            findings.push(finding.help(help));
+        }
     }
 
     fn row(
@@ -180,6 +190,12 @@ impl List {
         }
         findings
     }
+}
+
+/// Whether a word may be the name of a parameter.
+fn is_name(word: &str) -> bool {
+    let is_part = |own: char| own.is_alphanumeric() || own == '_';
+    word.chars().all(is_part) && !word.starts_with(|own: char| own.is_ascii_digit())
 }
 
 /// Says why a quote is part of a value that begins with it.
