@@ -251,6 +251,36 @@ fn expectations_are_not_joined() {
 }
 
 #[test]
+fn words_of_other_languages_and_in_capitals() {
+    hold(&[
+        (
+            Code::E0101,
+            "surface R = (U, v, 0)",
+            "did you mean `u`?",
+            "surface R = (u, v, 0)",
+        ),
+        (
+            Code::E0101,
+            "let width = 2\nsurface R = (u, v, WIDTH)",
+            "did you mean `width`?",
+            "let width = 2\nsurface R = (u, v, width)",
+        ),
+        (
+            Code::E0101,
+            "let r = 2\nsurface S = (u, v, R)",
+            "`R` is not declared",
+            "",
+        ),
+        (
+            Code::E0101,
+            "surface R = (u, v, 0)\nassert regular(R)",
+            "write `expect`",
+            "surface R = (u, v, 0)\nexpect regular(R)",
+        ),
+    ]);
+}
+
+#[test]
 fn claims_stand_alone() {
     hold(&[
         (

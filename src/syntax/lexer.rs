@@ -61,6 +61,9 @@ impl Keyword {
         if !(3..=20).contains(&word.len()) {
             return None;
         }
+        if word == "assert" {
+            return Some(Keyword::Expect);
+        }
         let keywords = Keyword::ALL.iter().copied();
         keywords
             .filter(|keyword| keyword.begins_declaration())
@@ -562,6 +565,7 @@ fn misplaced(c: char, span: Span) -> Diagnostic {
     match c {
         '{' | '}' => finding.help("brackets are `(…)`, and `[…]` for lists and domains"),
         '&' => finding.help("an `expect` holds one claim: write an `expect` for each"),
+        '|' => finding.help("an absolute value is not rational; `norm2(a)` is a·a"),
         '!' => finding.help("`!=` is the only sign with `!`"),
         '√' => finding.help("write `sqrt(…)`"),
         _ => finding,
