@@ -201,6 +201,12 @@ fn claims_are_not_negated() {
         ),
         (
             Code::E0107,
+            "surface R = (u, v, 0)\nexpect not regular(R)",
+            "help: a claim cannot be negated\n",
+            "",
+        ),
+        (
+            Code::E0107,
             "surface R = (u, v, 0)\nexpect 1 != positive_weights(R)",
             "help: a claim cannot be negated\n",
             "",
@@ -305,6 +311,12 @@ fn claims_stand_alone() {
             Code::E0002,
             "surface R = (u, v, 0)\nexpect 1 == 1 && 2 == 2",
             "an `expect` holds one claim",
+            "",
+        ),
+        (
+            Code::E0002,
+            "surface R = (u, v, 0)\nexpect 1 == 1 || 2 == 2",
+            "there is no `or`",
             "",
         ),
         (

@@ -246,7 +246,7 @@ fn lexeme(input: &str) -> Read<'_, Lexeme> {
         c if c.is_ascii_digit() => number(input),
         c if is_word_character(c) => value(Lexeme::Word, take_while(is_word_character)).parse(rest),
         '#' => value(Lexeme::Comment, line).parse(rest),
-        '&' => value(Lexeme::Foreign('&'), take_while(|own| own == '&')).parse(rest),
+        '&' | '|' => value(Lexeme::Foreign(first), take_while(|own| own == first)).parse(rest),
         '"' => string(rest),
         c if is_superscript(c) => {
             value(Lexeme::Superscript, take_while(is_superscript)).parse(rest)
@@ -565,7 +565,7 @@ fn misplaced(c: char, span: Span) -> Diagnostic {
     match c {
         '{' | '}' => finding.help("brackets are `(…)`, and `[…]` for lists and domains"),
         '&' => finding.help("an `expect` holds one claim: write an `expect` for each"),
-        '|' => finding.help("an absolute value is not rational; `norm2(a)` is a·a"),
+        '|' => finding.help("there is no `or` and no absolute value; `norm2(a)` is a·a"),
         '!' => finding.help("`!=` is the only sign with `!`"),
         '√' => finding.help("write `sqrt(…)`"),
         _ => finding,
