@@ -337,6 +337,44 @@ fn every_format_that_refuses_a_surface_is_named() {
 }
 
 #[test]
+fn every_format_that_warns_of_a_surface_is_named() {
+    let text = "surface R = (u, v, 1 / (1 + 2000 u))\nsurface S = (u, v + 2, 1 / (1 + 2000 u))\n";
+    let folder = folder(text);
+    let arguments = ["compile", "x.sweep", "--emit", "step,iges,obj,json"];
+    let output = run(folder.path(), &arguments, "");
+    let told = err(&output);
+    assert_eq!(status(&output), 0, "{told}");
+    assert_eq!(told.matches("warning[W1006]").count(), 2, "{told}");
+    let note = "in the files: `step`, `iges`, `obj`\n";
+    assert_eq!(told.matches(note).count(), 2, "{told}");
+}
+
+#[test]
+fn what_a_missing_import_declares_is_not_missed() {
+    let uses = "surface R = (q u, v, x(u))\nsurface S = swept(p, c)\nexpect regular(T)\n\
+                construction own(a) = a + w\n";
+    let folder = folder(&format!("import \"y.sweep\"\n{uses}"));
+    let only = |code: &str, arguments: &[&str]| {
+        let output = run(folder.path(), arguments, "");
+        let told = err(&output);
+        assert_eq!(told.matches("error[").count(), 1, "{told}");
+        assert!(told.contains(&format!("error[{code}]")), "{told}");
+        assert!(told.contains("x.sweep:1:8"), "{told}");
+    };
+    for arguments in [&["check", "x.sweep"][..], &["check", "x.sweep", "-Dq=2"]] {
+        only("E0601", arguments);
+        fs::write(folder.path().join("y.sweep"), b"let q = \xff").unwrap();
+        only("E0001", arguments);
+        fs::remove_file(folder.path().join("y.sweep")).unwrap();
+    }
+    // An import with errors of syntax is there: what it does not declare is told.
+    fs::write(folder.path().join("y.sweep"), "let q = = 2\nlet w 3\n").unwrap();
+    let told = err(&run(folder.path(), &["check", "x.sweep"], ""));
+    assert!(!told.contains("`q`") && !told.contains("`w`"), "{told}");
+    assert!(told.contains("`swept` is not declared"), "{told}");
+}
+
+#[test]
 fn a_refused_surface_leaves_out_the_file_of_all() {
     for (bad, emit, code) in [
         ("(u^26, v, u)", "step", "E0305"),

@@ -327,6 +327,19 @@ fn the_protocol_is_in_the_header_and_in_the_product() {
         let read = Exchange::read(&step);
         let count = |name: &str| read.all(name).len();
         assert_eq!((count(context), count("ADVANCED_FACE")), (1, 1));
+        // The schema of AP203 asks for these, and the others do not have them.
+        let own = usize::from(step_schema == StepSchema::Ap203);
+        for (name, times) in [
+            ("CC_DESIGN_APPROVAL", 1),
+            ("APPROVAL_DATE_TIME", 1),
+            ("APPROVAL_PERSON_ORGANIZATION", 1),
+            ("CC_DESIGN_SECURITY_CLASSIFICATION", 1),
+            ("CC_DESIGN_DATE_AND_TIME_ASSIGNMENT", 2),
+            ("CC_DESIGN_PERSON_AND_ORGANIZATION_ASSIGNMENT", 4),
+            ("PRODUCT_CATEGORY_RELATIONSHIP", 1),
+        ] {
+            assert_eq!(count(name), own * times, "{name}");
+        }
     }
 }
 

@@ -59,6 +59,35 @@ fn degrees_up_to_25_and_the_way_out_above() {
 }
 
 #[test]
+fn numbers_below_those_that_are_infinite_to_readers() {
+    let patch = |size: &str| {
+        patch(&[
+            nets::sum(&[("1", "1")]),
+            nets::sum(&[(&format!("0 {size}"), "1")]),
+            nets::sum(&[("1", "0 1")]),
+            nets::sum(&[("0 1", "0 1")]),
+        ])
+    };
+    // 10^100 itself is above the nearest double
+    for (name, below, infinite) in [
+        ("step", "99999999999999e86", "1e100"),
+        ("step", "-99999999999999e86", "-1e100"),
+        ("iges", "99999999999999e86", "1e100"),
+        ("3dm", "99999999999999e293", "1e307"),
+    ] {
+        let exporter = ALL.iter().find(|own| own.name == name).unwrap();
+        let write = |size: &str| {
+            let model = Model::new(vec![Part::of_net("R", patch(size))]);
+            (exporter.write)(&model, &Context::new("file", "R"))
+        };
+        assert!(write(below).is_ok(), "{name} {below}");
+        let refused = write(infinite).unwrap_err();
+        assert_eq!(refused.code, Code::E0306, "{name} {infinite}");
+        assert!(refused.help.contains("`json`"), "{}", refused.help);
+    }
+}
+
+#[test]
 fn every_weight_in_a_file_is_positive() {
     for text in files() {
         let positive = |bits: &u64| f64::from_bits(*bits) > 0.0;

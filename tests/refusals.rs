@@ -203,7 +203,17 @@ fn poles() {
     says(
         "surface R = (u, v, (3u - 1) v / (3u - 1))",
         &["W1004"],
-        &["numerators and denominator of `R` are all zero at u = 1/3"],
+        &["numerators and denominator of `R` are all zero on the line u = 1/3"],
+    );
+    says(
+        "surface R = (u, v, (3u - 1) (2v - 1) v / ((3u - 1) (2v - 1)))",
+        &["W1004"],
+        &["`R` are all zero on the lines u = 1/3, v = 1/2"],
+    );
+    says(
+        "surface R = (u, v, (u - v) v / (u - v))",
+        &["W1004"],
+        &["`R` are all zero where -u + v = 0, as at u = 0, v = 0"],
     );
 }
 

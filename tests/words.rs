@@ -201,6 +201,12 @@ fn claims_are_not_negated() {
         ),
         (
             Code::E0107,
+            "surface R = (u, v, 0)\nexpect not regular(R)",
+            "help: a claim cannot be negated\n",
+            "",
+        ),
+        (
+            Code::E0107,
             "surface R = (u, v, 0)\nexpect 1 != positive_weights(R)",
             "help: a claim cannot be negated\n",
             "",
@@ -245,6 +251,90 @@ fn expectations_are_not_joined() {
             Code::E0006,
             "surface R = (u, v, 0)\nexpect 1 == 1 or 2 == 2",
             "one relation stands in an `expect`",
+            "",
+        ),
+    ]);
+}
+
+#[test]
+fn words_of_other_languages_and_in_capitals() {
+    hold(&[
+        (
+            Code::E0101,
+            "surface R = (U, v, 0)",
+            "did you mean `u`?",
+            "surface R = (u, v, 0)",
+        ),
+        (
+            Code::E0101,
+            "let width = 2\nsurface R = (u, v, WIDTH)",
+            "did you mean `width`?",
+            "let width = 2\nsurface R = (u, v, width)",
+        ),
+        (
+            Code::E0101,
+            "let r = 2\nsurface S = (u, v, R)",
+            "`R` is not declared",
+            "",
+        ),
+        (
+            Code::E0101,
+            "surface R = (u, v, 0)\nassert regular(R)",
+            "write `expect`",
+            "surface R = (u, v, 0)\nexpect regular(R)",
+        ),
+    ]);
+}
+
+#[test]
+fn claims_stand_alone() {
+    hold(&[
+        (
+            Code::E0006,
+            "surface R = (u, v, 0)\nexpect (1 == 1) and (2 == 2)",
+            "write `expect A == B`, an `expect` for each claim",
+            "",
+        ),
+        (
+            Code::E0006,
+            "surface R = (u, v, 0)\nexpect 2 == 2 and (1 == 1)",
+            "a claim stands without parentheses",
+            "",
+        ),
+        (
+            Code::E0006,
+            "surface R = (u, v, 0)\nexpect ((1) == (1)) # sure\nlet a = 2",
+            "a claim stands without parentheses",
+            "surface R = (u, v, 0)\nexpect (1) == (1) # sure\nlet a = 2",
+        ),
+        (
+            Code::E0002,
+            "surface R = (u, v, 0)\nexpect 1 == 1 && 2 == 2",
+            "an `expect` holds one claim",
+            "",
+        ),
+        (
+            Code::E0002,
+            "surface R = (u, v, 0)\nexpect 1 == 1 || 2 == 2",
+            "there is no `or`",
+            "",
+        ),
+        (
+            Code::E0006,
+            "surface R = (u, v, 0)\nexpect 1 == 1, 2 == 2",
+            "write an `expect` for each claim",
+            "surface R = (u, v, 0)\nexpect 1 == 1\nexpect 2 == 2",
+        ),
+        (
+            Code::E0006,
+            "surface R = (u, v, 0)\nexpect regular(R), positive_weights(R)",
+            "write an `expect` for each claim",
+            "surface R = (u, v, 0)\nexpect regular(R)\nexpect positive_weights(R)",
+        ),
+        (
+            Code::E0006,
+            "surface R = (u, v, 0)\nexpect bidegree(R) == 1, 1",
+            "a pair is written `(a, b)`",
             "",
         ),
         (

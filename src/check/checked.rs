@@ -206,16 +206,23 @@ impl Checked {
                     ZeroKind::Point | ZeroKind::Box => false,
                 })
         };
-        let place = self.shared_zeros.iter().find(|place| !is_told(place))?;
+        let untold = self.shared_zeros.iter().filter(|place| !is_told(place));
+        let first = untold.clone().next()?;
+        let factor = &self.expansion.common_factor;
+        let lines = untold.filter(|place| place.kind.is_line());
+        let lines: Vec<_> = lines.map(ToString::to_string).collect();
+        // Of a factor that vanishes on a curve, one point is known.
+        let places = match lines.as_slice() {
+            [] => format!("where {factor} = 0, as at {first}"),
+            [only] => format!("on the line {only}"),
+            several => format!("on the lines {}", several.join(", ")),
+        };
         let message = format!(
-            "numerators and denominator of `{}` are all zero at {place}",
+            "numerators and denominator of `{}` are all zero {places}",
             self.name()
         );
         let finding = Diagnostic::new(Code::W1004, self.definition.span, message);
-        Some(finding.note(format!(
-            "the common factor {} cancels",
-            self.expansion.common_factor
-        )))
+        Some(finding.note(format!("the common factor {factor} cancels")))
     }
 
     /// The error that the poles are, if there are any.

@@ -6,7 +6,6 @@ use clap_complete::Shell;
 
 use crate::diag::Limits;
 use crate::export::{StepSchema, View};
-use crate::number::{Field, Real};
 
 use super::watch::Budget;
 
@@ -129,8 +128,8 @@ pub(super) struct CompileArguments {
     /// The greatest distance between a surface and the triangles of `mesh`, `ply`, `stl` and
     /// `glb`, exactly and in the file's unit: 1/100, 0.01; a thousandth of the size if it is left
     /// out
-    #[arg(long, value_name = "TOLERANCE", value_parser = positive)]
-    pub(super) chord: Option<Real>,
+    #[arg(long, value_name = "TOLERANCE")]
+    pub(super) chord: Option<String>,
 }
 
 #[derive(Debug, Args)]
@@ -142,7 +141,8 @@ pub(super) struct ExplainArguments {
 
 #[derive(Debug, Args)]
 pub(super) struct FmtArguments {
-    /// The files to format; what is read from standard input goes to standard output
+    /// The files to format, each on its own: one with errors stays as it is; what is read from
+    /// standard input goes to standard output
     #[arg(required = true, value_name = "FILE")]
     pub(super) files: Vec<PathBuf>,
     /// Write nothing; list the files that would change, and how
@@ -207,13 +207,6 @@ pub(super) enum ReportFormat {
     Markdown,
 }
 
-/// An exact number above 0.
-fn positive(text: &str) -> Result<Real, &'static str> {
-    let number = text.trim().parse::<Real>().ok();
-    let positive = number.filter(|own| own.sign().is_gt());
-    positive.ok_or("not an exact number above 0 such as 1/100 or 0.01")
-}
-
 #[derive(Debug, Clone, Copy, Args)]
 #[command(next_help_heading = "Limits")]
 struct LimitArguments {
@@ -250,7 +243,7 @@ struct LimitArguments {
     /// Variants of a run
     #[arg(long, value_name = "VARIANTS", global = true, default_value_t = Limits::default().variants)]
     max_variants: usize,
-    /// Seconds of a run
+    /// Seconds of a run, for all its files and variants together
     #[arg(long, value_name = "SECONDS", global = true, default_value_t = 60)]
     max_seconds: u64,
     /// Memory of a run, where the system tells it

@@ -18,9 +18,9 @@ use super::voice::Voice;
 
 /// `sweepc compile FILE…`
 pub(super) fn run(own: &CompileArguments, arguments: &Arguments, stack: usize) -> Status {
-    let emit = match Emit::of(&own.emit) {
+    let emit = match Emit::of(own, &arguments.limits()) {
         Ok(emit) => emit,
-        Err(misuse) => return misuse.complain(),
+        Err(refusal) => return refusal.complain(Voice::of(arguments)),
     };
     match own.files.as_slice() {
         [file] if own.grid.is_empty() && own.list.is_none() && !emit.table => {
@@ -37,7 +37,7 @@ fn compile(file: &Path, emit: &Emit, own: &CompileArguments, arguments: &Argumen
         Ok(session) => session,
         Err(refusal) => return refusal.complain(Voice::of(arguments)),
     };
-    complete(&mut session.options, own);
+    complete(&mut session.options, emit, own);
     require_surfaces(&mut session.compilation, session.readable, file);
     let files = if keeps_files(&session.compilation.diagnostics) {
         let (products, findings) = emit.products(
@@ -113,12 +113,12 @@ pub(super) fn failed(path: &Path, error: &std::io::Error) -> Box<Diagnostic> {
 }
 
 /// Adds what only `compile` is asked.
-pub(super) fn complete(options: &mut Options, own: &CompileArguments) {
+pub(super) fn complete(options: &mut Options, emit: &Emit, own: &CompileArguments) {
     options.any_weight_ratio = own.allow_weight_ratio;
     options.view = own.view.clone();
     options.step_schema = own.step_schema.into();
     options.iges_trimmed = own.iges_trimmed;
-    options.chord.clone_from(&own.chord);
+    options.chord.clone_from(&emit.chord);
 }
 
 /// The folder asked for, or that of the file; for standard input the working directory.

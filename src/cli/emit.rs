@@ -1,22 +1,28 @@
 use std::collections::HashSet;
 use std::ffi::{OsStr, OsString};
 
-use crate::diag::{Code, Diagnostic, Diagnostics, SourceMap};
+use crate::diag::{Code, Diagnostic, Diagnostics, Limits, SourceMap};
 use crate::export::{ALL, Exporter};
+use crate::number::{Field, Real};
 use crate::pipeline::{Compilation, Options};
 use crate::report::{Report, render_json};
 
+use super::arguments::CompileArguments;
+use super::format_findings::FormatFindings;
+use super::numeral::numeral;
 use super::output::named;
-use super::refused_formats::RefusedFormats;
+use super::refusal::Refusal;
 use super::session::Misuse;
 
-/// What `--emit` asks for.
+/// What is to be written.
 #[derive(Debug, Default)]
 pub(super) struct Emit {
     pub(super) report: bool,
     /// The table of all variants.
     pub(super) table: bool,
     pub(super) formats: Vec<&'static Exporter>,
+    /// The greatest distance between a surface and its triangles, if one is asked for.
+    pub(super) chord: Option<Real>,
 }
 
 /// A file that is ready to be written.
@@ -40,12 +46,23 @@ impl Product {
 }
 
 impl Emit {
-    /// Reads the words of the command line.
+    /// Reads the command line.
     ///
     /// # Errors
     ///
-    /// A word that is no format, or none at all.
-    pub(super) fn of(words: &[String]) -> Result<Self, Misuse> {
+    /// A word that is no format, or none at all; a distance that is not above 0, or beyond the
+    /// limits of literals.
+    pub(super) fn of(own: &CompileArguments, limits: &Limits) -> Result<Self, Refusal> {
+        let emit = Self::of_words(&own.emit)?;
+        let chord = own.chord.as_deref().map(|own| chord(own, limits));
+        Ok(Self {
+            chord: chord.transpose()?,
+            ..emit
+        })
+    }
+
+    /// Reads the words of `--emit`.
+    fn of_words(words: &[String]) -> Result<Self, Misuse> {
         let mut emit = Self::default();
         let words = words.iter().map(|own| own.trim());
         for word in words.filter(|own| !own.is_empty()) {
@@ -105,11 +122,14 @@ impl Emit {
         for surface in compilation.sound_surfaces() {
             let span = surface.definition().span;
             let exports = compilation.export(surface, &self.formats, &shown, options);
-            let mut refusals = RefusedFormats::default();
+            let mut refusals = FormatFindings::default();
+            let mut warnings = FormatFindings::default();
             for (format, result) in exports {
                 match result {
                     Ok(exported) => {
-                        findings.extend(exported.warnings.into_iter().map(|own| own.at(span)));
+                        for warning in exported.warnings {
+                            warnings.add(format.name, warning.at(span));
+                        }
                         let ending = format!("-{}.{}", surface.name(), format.extension);
                         files.push(Product {
                             surface: Some(surface.name().to_owned()),
@@ -120,9 +140,10 @@ impl Emit {
                 }
             }
             refused.extend(refusals.formats());
+            findings.extend(warnings.findings("in the files"));
             findings.extend(refusals.findings("not written"));
         }
-        let mut refusals = RefusedFormats::default();
+        let mut refusals = FormatFindings::default();
         for (format, result) in compilation.export_together(&self.formats, &shown, options) {
             match result {
                 // What is odd about a surface is told with its own file.
@@ -138,6 +159,15 @@ impl Emit {
         findings.extend(refusals.findings("all surfaces in one file are not written"));
         (files, findings)
     }
+}
+
+/// The distance that `--chord` names.
+fn chord(text: &str, limits: &Limits) -> Result<Real, Refusal> {
+    let number = numeral(text, limits).map_err(|own| own.of_option(text, "--chord"))?;
+    if !Field::sign(&number).is_gt() {
+        return Err(Misuse(format!("`--chord {text}` is not above 0")).into());
+    }
+    Ok(Real::from(number))
 }
 
 /// Errors of single surfaces spoil only their own files; any other error spoils all.

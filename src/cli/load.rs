@@ -32,7 +32,7 @@ pub(super) fn load(root: &Path, limits: &Limits) -> Loaded {
         match read_from(std::io::stdin().lock(), limits) {
             Ok(bytes) => {
                 loader.folder = canonical(Path::new("."));
-                loader.parse("<stdin>", &bytes, None);
+                loader.parse("<stdin>", &bytes, None, None);
             }
             Err(error) => loader.fail(format!("standard input cannot be read: {error}"), None),
         }
@@ -44,7 +44,7 @@ pub(super) fn load(root: &Path, limits: &Limits) -> Loaded {
             let path = canonical(root);
             loader.folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
             loader.shown = shown(root, &loader.folder);
-            loader.parse(&name, &bytes, Some(path));
+            loader.parse(&name, &bytes, Some(path), None);
         }
         Err(error) => loader.fail(format!("`{name}` cannot be read: {error}"), None),
     }
@@ -98,10 +98,14 @@ impl Loader<'_> {
         self.loaded.diagnostics.push(finding);
     }
 
-    fn parse(&mut self, name: &str, bytes: &[u8], path: Option<PathBuf>) {
+    /// Parses the bytes of a file, which may be imported at a place.
+    fn parse(&mut self, name: &str, bytes: &[u8], path: Option<PathBuf>, site: Option<Span>) {
         let text = match decode(bytes, name, self.limits) {
             Ok(text) => text,
-            Err(finding) => return self.loaded.diagnostics.push(*finding),
+            Err(mut finding) => {
+                finding.primary = site;
+                return self.loaded.diagnostics.push(*finding);
+            }
         };
         let file = self.loaded.sources.add(name, text.as_str());
         let document = parse(file, &text, self.limits, &mut self.loaded.diagnostics);
@@ -178,7 +182,7 @@ impl Loader<'_> {
         let inside = path.strip_prefix(&self.folder).unwrap_or(&path);
         let name = self.shown.join(inside).display().to_string();
         match read(&path, self.limits) {
-            Ok(bytes) => self.parse(&name, &bytes, Some(path)),
+            Ok(bytes) => self.parse(&name, &bytes, Some(path), Some(span)),
             Err(error) => self.fail(format!("`{target}` cannot be read: {error}"), Some(span)),
         }
     }

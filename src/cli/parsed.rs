@@ -42,6 +42,11 @@ impl Parsed {
         !self.documents.is_empty()
     }
 
+    /// Whether it and all its imports could be read, without errors.
+    pub(super) fn is_sound(&self) -> bool {
+        self.is_readable() && !self.diagnostics.has_errors()
+    }
+
     /// Compiles the file, and tells of every step that is done.
     pub(super) fn compile(&self, options: &Options, done: &mut dyn FnMut(Step<'_>)) -> Compilation {
         let diagnostics = self.diagnostics.clone();

@@ -59,7 +59,7 @@ impl Session {
         let mut stopwatch = Stopwatch::start();
         let parsed = Parsed::read(file, &arguments.limits());
         stopwatch.lap("read and parsed");
-        let options = options(arguments, &parsed.documents, file)?;
+        let options = options(arguments, &parsed, file)?;
         let compilation = parsed.compile(&options, &mut |step| {
             stopwatch.lap(match step {
                 Step::Lowered => "names and types resolved".to_owned(),
@@ -85,11 +85,11 @@ impl Session {
 /// A `-D` or `--surface` that does not fit the file.
 pub(super) fn options(
     arguments: &Arguments,
-    documents: &[Document],
+    parsed: &Parsed,
     file: &Path,
 ) -> Result<Options, Refusal> {
     Ok(Options {
-        overrides: overrides(arguments, documents, file)?,
+        overrides: overrides(arguments, parsed, file)?,
         surface: arguments.surface.clone(),
         limits: arguments.limits(),
         ..Options::default()
@@ -116,14 +116,15 @@ pub(super) fn assignments(arguments: &Arguments) -> Result<Vec<(String, Real)>, 
 }
 
 /// The values that replace those of parameters, once they and the surface asked for are known to
-/// fit the file.
+/// fit the file. What a file with errors declares is not known.
 fn overrides(
     arguments: &Arguments,
-    documents: &[Document],
+    parsed: &Parsed,
     file: &Path,
 ) -> Result<HashMap<String, Real>, Refusal> {
     let assignments = assignments(arguments)?;
-    if !documents.is_empty() {
+    if parsed.is_sound() {
+        let documents = &parsed.documents;
         for (name, _) in &assignments {
             check_parameter(name, documents, file)?;
         }

@@ -83,14 +83,14 @@ codes! {
     E0207 "division by zero",
     E0208 "a malformed curve",
     E0210 "a square root that is not rational",
-    E0211 "domains that differ",
+    E0211 "domains or units that differ",
     // surfaces and exactness
     E0301 "a pole on the domain",
     E0302 "not a surface",
     E0303 "nothing to build",
     E0304 "a weight that the format cannot carry",
     E0305 "a degree that the format cannot carry",
-    E0306 "a number outside the range of doubles",
+    E0306 "a number outside the range of the format",
     E0307 "the unit normal is not rational",
     E0308 "a mesh that the numbers of the format do not resolve",
     // expectations

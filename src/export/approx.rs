@@ -326,6 +326,12 @@ impl Double {
         }
     }
 
+    /// Whether it is at least as large as another, signs left out.
+    #[must_use]
+    pub fn reaches(self, other: Self) -> bool {
+        self.bits << 1 >= other.bits << 1
+    }
+
     /// Whether it is 0.
     #[must_use]
     pub fn is_zero(self) -> bool {

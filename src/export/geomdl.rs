@@ -16,8 +16,8 @@ pub(super) const EXPORTER: Exporter = Exporter {
 };
 
 const READERS: Readers = Readers {
-    format: "geomdl",
     greatest_degree: None,
+    infinite_power: None,
 };
 
 /// - **errors** a degree of 0 (E0305); a number beyond the last double, or numbers that
@@ -27,7 +27,7 @@ fn write(model: &Model, _: &Context) -> Result<Exported, ExportFault> {
     let mut surfaces = Vec::new();
     let (mut fidelity, mut warnings) = (Fidelity::Exact, Vec::new());
     for part in model.parts() {
-        for net in affine_nets(part, READERS.format)? {
+        for net in affine_nets(part)? {
             READERS.check_degrees(net.degree())?;
             let rounded = RoundedNet::new(net)?;
             check_doubles(net, &rounded)?;

@@ -19,8 +19,8 @@ pub(super) const EXPORTER: Exporter = Exporter {
 };
 
 const READERS: Readers = Readers {
-    format: "GLB",
     greatest_degree: None,
+    infinite_power: None,
 };
 
 /// The numbers of glTF 2.0 that are used here.

@@ -16,8 +16,8 @@ pub(super) const EXPORTER: Exporter = Exporter {
 };
 
 const READERS: Readers = Readers {
-    format: "OBJ",
     greatest_degree: None,
+    infinite_power: None,
 };
 
 /// - **errors** those of [`Readers::check_patches`] and [`Mesh::of`]

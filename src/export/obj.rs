@@ -16,15 +16,15 @@ pub(super) const EXPORTER: Exporter = Exporter {
 };
 
 const READERS: Readers = Readers {
-    format: "OBJ",
     greatest_degree: None,
+    infinite_power: None,
 };
 
 /// - **errors** a degree of 0 (E0305); no patches with positive weights, or weights that differ by
 ///   a factor above 10⁶ (E0304); a number beyond the last double, or numbers that merge (E0306)
 fn write(model: &Model, context: &Context) -> Result<Exported, ExportFault> {
     let ratio = READERS.check(model, context)?;
-    let mut written = Written::default();
+    let mut written = Written::for_readers(&READERS);
     let mut text = format!(
         "# sweepc {}: x, y, z and the weight; unit {}\n",
         env!("CARGO_PKG_VERSION"),

@@ -16,8 +16,8 @@ pub(super) const EXPORTER: Exporter = Exporter {
 };
 
 const READERS: Readers = Readers {
-    format: "PLY",
     greatest_degree: None,
+    infinite_power: None,
 };
 
 /// A vertex on an edge has one entry for each of its normals.

@@ -9,15 +9,18 @@ use super::{Context, Double, ExportFault, PremultipliedNet, RoundedNet};
 
 /// The greatest degree that readers of STEP and IGES know.
 pub(super) const GREATEST_DEGREE: usize = 25;
+/// The power of ten that is infinite in Open CASCADE: half of its `Precision::Infinite()`.
+pub(super) const INFINITE_POWER: i64 = 100;
 /// The quotient of the greatest weight by the least that is worth a warning.
 const LARGE_WEIGHT_RATIO: i64 = 1_000;
 
 /// What the readers of a format take: patches with positive weights, up to a degree.
 pub(super) struct Readers {
-    /// The format, as it is written in words.
-    pub(super) format: &'static str,
     /// The greatest degree; none if any will do.
     pub(super) greatest_degree: Option<usize>,
+    /// The power of ten from which on a number is as good as infinite for them; none if they take
+    /// every double.
+    pub(super) infinite_power: Option<i64>,
 }
 
 impl Readers {
@@ -35,10 +38,10 @@ impl Readers {
         for part in model.parts() {
             self.check_degrees(part.net.degree())?;
             let patches = part.patches();
-            let patches = patches.map_err(|reason| self.no_patches(part, reason))?;
+            let patches = patches.map_err(|reason| no_patches(part, reason))?;
             for patch in patches {
                 self.check_degrees(patch.net.degree())?;
-                let ratio = self.check_weights(&patch.net, context)?;
+                let ratio = check_weights(&patch.net, context)?;
                 warning = warning.or(ratio);
             }
         }
@@ -52,7 +55,7 @@ impl Readers {
         for part in model.parts() {
             self.check_degrees(part.net.degree())?;
             let patches = part.patches();
-            patches.map_err(|reason| self.no_patches(part, reason))?;
+            patches.map_err(|reason| no_patches(part, reason))?;
         }
         Ok(())
     }
@@ -61,89 +64,101 @@ impl Readers {
     ///
     /// - **errors** a degree of 0 or above the greatest (E0305)
     pub(super) fn check_degrees(&self, degree: BiDegree) -> Result<(), ExportFault> {
-        let (format, greatest) = (self.format, self.greatest_degree);
+        let greatest = self.greatest_degree;
         let above = |own: usize| greatest.is_some_and(|greatest| own > greatest);
         for (along, own) in [("u", degree.u), ("v", degree.v)] {
             let help = match own {
-                0 => "a surface must move in both directions; the `json` file carries this net"
-                    .to_owned(),
+                0 => "a surface must move in both directions; the `json` file carries this net",
                 own if !above(own) => continue,
-                _ => format!(
-                    "readers of {format} drop it without a word; use a profile or curve of lower degree, or the `json` file, which carries any degree"
-                ),
+                _ => {
+                    "they drop it without a word: use a profile or curve of lower degree, or the `json` file, which carries any degree"
+                }
             };
-            let carried = match greatest {
+            let taken = match greatest {
                 Some(greatest) => format!("1 to {greatest}"),
                 None => "1 and more".to_owned(),
             };
-            let message = format!("degree {own} along {along}: {format} carries {carried}");
+            let message = format!("degree {own} along {along}: readers take {taken}");
             return Err(ExportFault::new(Code::E0305, message, help));
         }
         Ok(())
     }
 
-    /// The refusal of a surface without patches of positive weights.
-    fn no_patches(&self, part: &Part, reason: &str) -> ExportFault {
-        let (format, least) = (self.format, part.net.min_weight().brief());
-        let message = format!(
-            "a control point has weight {least}; {format} carries positive weights only, and {reason}"
-        );
-        let help = "restrict the surface to a smaller domain, or write the `json` file, which carries any weights";
-        ExportFault::new(Code::E0304, message, help)
-    }
-
-    fn check_weights(
+    /// Refuses numbers that are as good as infinite for them.
+    ///
+    /// - **errors** one of at least the power of ten where that begins (E0306)
+    pub(super) fn check_sizes<'a>(
         &self,
-        net: &ControlNet,
-        context: &Context,
-    ) -> Result<Option<ExportFault>, ExportFault> {
-        let format = self.format;
-        let (least, greatest) = (net.min_weight(), net.max_weight());
-        let (low, high) = (least.brief(), greatest.brief());
-        let fault = |code, message: String, help: String| ExportFault::new(code, message, help);
-        let above = |ratio: i64| *greatest > least.times(&Real::from(ratio));
-        if above(Context::GREATEST_WEIGHT_RATIO) && !context.any_weight_ratio {
-            let message = format!("the weights run from {low} to {high}, a factor above 10^6");
-            let help = "readers lose accuracy with such weights: restrict the surface to a smaller domain, or give `--allow-weight-ratio`";
-            return Err(fault(Code::E0304, message, help.to_owned()));
-        }
-        Ok(above(LARGE_WEIGHT_RATIO).then(|| {
-            let message = format!("the weights run from {low} to {high}, a factor above 10^3");
-            let help = format!(
-                "readers of {format} may lose accuracy: restrict the surface to a smaller domain"
-            );
-            fault(Code::W1006, message, help)
-        }))
+        mut doubles: impl Iterator<Item = &'a Double>,
+    ) -> Result<(), ExportFault> {
+        let power = self.infinite_power;
+        let limit = power.and_then(|power| Double::nearest(&Real::from(10).power(power)?));
+        let Some(double) = limit.and_then(|limit| doubles.find(|own| own.reaches(limit))) else {
+            return Ok(());
+        };
+        let message = format!(
+            "a number of the net is {}: readers take numbers from 1e{} on for infinite",
+            double.json(),
+            power.unwrap_or_default()
+        );
+        let help = "use a larger unit of length, or a scale in which the numbers are smaller; the `json` file carries any double";
+        Err(ExportFault::new(Code::E0306, message, help))
     }
+}
+
+/// The refusal of a surface without patches of positive weights.
+fn no_patches(part: &Part, reason: &str) -> ExportFault {
+    let least = part.net.min_weight().brief();
+    let message = format!(
+        "a control point has weight {least}; readers take positive weights only, and {reason}"
+    );
+    let help = "restrict the surface to a smaller domain, or write the `json` file, which carries any weights";
+    ExportFault::new(Code::E0304, message, help)
+}
+
+/// The warning for weights by which readers may lose accuracy.
+///
+/// - **errors** weights that differ by a factor above 10⁶ (E0304)
+fn check_weights(net: &ControlNet, context: &Context) -> Result<Option<ExportFault>, ExportFault> {
+    let (least, greatest) = (net.min_weight(), net.max_weight());
+    let (low, high) = (least.brief(), greatest.brief());
+    let above = |ratio: i64| *greatest > least.times(&Real::from(ratio));
+    if above(Context::GREATEST_WEIGHT_RATIO) && !context.any_weight_ratio {
+        let message = format!("the weights run from {low} to {high}, a factor above 10^6");
+        let help = "readers lose accuracy with such weights: restrict the surface to a smaller domain, or give `--allow-weight-ratio`";
+        return Err(ExportFault::new(Code::E0304, message, help));
+    }
+    Ok(above(LARGE_WEIGHT_RATIO).then(|| {
+        let message = format!("the weights run from {low} to {high}, a factor above 10^3");
+        let help = "readers may lose accuracy: restrict the surface to a smaller domain";
+        ExportFault::new(Code::W1006, message, help)
+    }))
 }
 
 /// The nets of a surface for formats that store points as (x, y, z): the whole one, or its patches
 /// with positive weights where a point of the whole one is at infinity.
 ///
 /// - **errors** a weight of 0 and no such patches (E0304)
-pub(super) fn affine_nets<'a>(
-    part: &'a Part,
-    format: &str,
-) -> Result<Vec<&'a ControlNet>, ExportFault> {
+pub(super) fn affine_nets(part: &Part) -> Result<Vec<&ControlNet>, ExportFault> {
     if part.net.weights().iter().all(|own| !own.is_zero()) {
         return Ok(vec![&part.net]);
     }
-    let patches = part.patches().map_err(|_| at_infinity(format))?;
+    let patches = part.patches().map_err(|_| at_infinity())?;
     Ok(patches.iter().map(|own| &own.net).collect())
 }
 
 /// The one of them, for formats that hold one.
 ///
 /// - **errors** a weight of 0, and no or several patches (E0304)
-pub(super) fn affine_net<'a>(part: &'a Part, format: &str) -> Result<&'a ControlNet, ExportFault> {
-    match affine_nets(part, format)?.as_slice() {
+pub(super) fn affine_net(part: &Part) -> Result<&ControlNet, ExportFault> {
+    match affine_nets(part)?.as_slice() {
         [net] => Ok(net),
-        _ => Err(at_infinity(format)),
+        _ => Err(at_infinity()),
     }
 }
 
-fn at_infinity(format: &str) -> ExportFault {
-    let message = format!("a control point has weight 0: {format} has no points at infinity");
+fn at_infinity() -> ExportFault {
+    let message = "a control point has weight 0: readers take no points at infinity";
     let help =
         "write the `json`, `verb` or `truck` file, or restrict the surface to a smaller domain";
     ExportFault::new(Code::E0304, message, help)

@@ -16,8 +16,8 @@ pub(super) const EXPORTER: Exporter = Exporter {
 };
 
 const READERS: Readers = Readers {
-    format: "STL",
     greatest_degree: None,
+    infinite_power: None,
 };
 /// The bytes of the header.
 const HEADER: usize = 80;

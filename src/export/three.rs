@@ -16,15 +16,15 @@ pub(super) const EXPORTER: Exporter = Exporter {
 };
 
 const READERS: Readers = Readers {
-    format: "three.js",
     greatest_degree: None,
+    infinite_power: None,
 };
 
 /// - **errors** a degree of 0 (E0305); a number beyond the last double, or numbers that
 ///   merge (E0306); a weight that is 0 and no patches
 ///   (E0304)
 fn write(model: &Model, _: &Context) -> Result<Exported, ExportFault> {
-    let net = affine_net(single(model)?, READERS.format)?;
+    let net = affine_net(single(model)?)?;
     READERS.check_degrees(net.degree())?;
     let rounded = RoundedNet::new(net)?;
     check_doubles(net, &rounded)?;

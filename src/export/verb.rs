@@ -16,8 +16,8 @@ pub(super) const EXPORTER: Exporter = Exporter {
 };
 
 const READERS: Readers = Readers {
-    format: "verb",
     greatest_degree: None,
+    infinite_power: None,
 };
 
 /// - **errors** a degree of 0 (E0305); a number beyond the last double, or numbers that

@@ -1,18 +1,30 @@
 use crate::net::{ControlNet, Knots};
 use crate::number::{Field, Real};
 
-use super::refusal::check_doubles;
+use super::refusal::{Readers, check_doubles};
 use super::{ExportFault, Fidelity, RoundedNet};
 
 /// What is known of the nets that are written.
-#[derive(Default)]
 pub(super) struct Written {
+    readers: &'static Readers,
     pub(super) fidelity: Option<Fidelity>,
     pub(super) warnings: Vec<ExportFault>,
 }
 
 impl Written {
+    /// Nothing yet, for these readers.
+    pub(super) fn for_readers(readers: &'static Readers) -> Self {
+        Self {
+            readers,
+            fidelity: None,
+            warnings: Vec::new(),
+        }
+    }
+
     /// The doubles of some nets; of each kind of warning the first is kept.
+    ///
+    /// - **errors** a number beyond what the readers take, weights that vanish, knots that merge
+    ///   (E0306)
     pub(super) fn round<'a>(
         &mut self,
         nets: impl Iterator<Item = &'a ControlNet>,
@@ -22,6 +34,9 @@ impl Written {
             let net = readable(net);
             let rounded = RoundedNet::new(&net)?;
             check_doubles(&net, &rounded)?;
+            let coordinates = rounded.points.iter().flatten().flatten();
+            let weights = rounded.weights.iter().flatten();
+            self.readers.check_sizes(coordinates.chain(weights))?;
             let fidelity = rounded.fidelity(&net);
             self.fidelity = Some(match self.fidelity.take() {
                 Some(known) => known.worse(fidelity),

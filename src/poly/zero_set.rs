@@ -22,6 +22,14 @@ pub enum ZeroKind {
     Box,
 }
 
+impl ZeroKind {
+    /// Whether a parameter is constant on it.
+    #[must_use]
+    pub fn is_line(self) -> bool {
+        matches!(self, Self::LineU | Self::LineV)
+    }
+}
+
 /// A set of zeros of a polynomial in u and v, within bounds.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ZeroSet<F: Field> {

@@ -154,8 +154,12 @@ impl<'a> Lowerer<'a> {
             return Ok(Claim::Quality { quality, surface });
         }
         let message = "an expectation compares two sides or names a quality of a surface";
-        let finding = Diagnostic::new(Code::E0107, expr.span, message)
-            .help("write `A == B`, `regular(R)`, `rational_offset(R)` or `positive_weights(R)`");
+        let is_negated = self.sources.map.slice(expr.span).starts_with("not ");
+        let help = match is_negated && !self.definitions.contains_key("not") {
+            true => "a claim cannot be negated",
+            false => "write `A == B`, `regular(R)`, `rational_offset(R)` or `positive_weights(R)`",
+        };
+        let finding = Diagnostic::new(Code::E0107, expr.span, message).help(help);
         let meant = plain_call(expr).and_then(|(name, ..)| {
             let known = ["positive_weights", "rational_offset", "regular"].into_iter();
             Some((name.span, spelling::nearest(&name.text, known)?))

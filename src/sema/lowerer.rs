@@ -45,11 +45,23 @@ pub struct Sources<'a> {
 /// Resolves names and types; what is sound goes into the program, every finding into the list.
 #[must_use]
 pub fn lower(sources: &Sources<'_>, diagnostics: &mut Diagnostics) -> Program {
-    let mut lowerer = Lowerer::new(sources);
+    let mut lowerer = Lowerer::new(sources, lacks_import(sources.documents, diagnostics));
     lowerer.declare();
     let program = lowerer.program();
     diagnostics.extend(lowerer.diagnostics);
     program
+}
+
+/// Whether a file is missing that an import names: names that nothing declares may be its own.
+/// Files that import each other are all there.
+fn lacks_import(documents: &[Document], diagnostics: &Diagnostics) -> bool {
+    let missing = |own: &Item| match &own.declaration {
+        Declaration::Import { path_span, .. } => diagnostics
+            .errors()
+            .any(|found| found.primary == Some(*path_span) && found.code != Code::E0604),
+        _ => false,
+    };
+    documents.iter().flat_map(|own| &own.items).any(missing)
 }
 
 /// The meaning of a declared name, once it has been asked for.
@@ -81,6 +93,9 @@ pub(super) struct Lowerer<'a> {
     pub(super) cusps_reported: Vec<String>,
     /// Shared zeros and cusps of curves.
     pub(super) shared_zeros: Vec<(Parameter, (Real, Real))>,
+    /// Whether declarations are missing with an imported file; names that nothing declares are not
+    /// reported then.
+    pub(super) lacks_import: bool,
     /// Names whose declarations could not be parsed; their uses are not reported.
     pub(super) broken: BTreeSet<&'a str>,
     /// What kinds of curves could not be parsed; uses of their properties are not reported.
@@ -90,7 +105,7 @@ pub(super) struct Lowerer<'a> {
 }
 
 impl<'a> Lowerer<'a> {
-    fn new(sources: &'a Sources<'a>) -> Self {
+    fn new(sources: &'a Sources<'a>, lacks_import: bool) -> Self {
         let broken = || sources.documents.iter().flat_map(|own| &own.broken);
         Self {
             sources,
@@ -103,6 +118,7 @@ impl<'a> Lowerer<'a> {
             mentioned: Vec::new(),
             cusps_reported: Vec::new(),
             shared_zeros: Vec::new(),
+            lacks_import,
             broken: broken().map(|own| own.name.text.as_str()).collect(),
             broken_roles: broken().filter_map(|own| own.role).collect(),
             undeclared: BTreeSet::new(),

@@ -52,8 +52,11 @@ impl<'a> Lowerer<'a> {
             };
         }
         let leads = coefficients.len() > 1 && coefficients.last().is_some_and(|own| !own.is_zero());
+        if !leads {
+            return None;
+        }
         let coefficients: Vec<_> = coefficients.into_iter().map(Real::from).collect();
-        leads.then(|| Some(Scalar::polynomial(expr.span, of?, &coefficients)))?
+        Some(Scalar::polynomial(expr.span, of?, &coefficients))
     }
 
     fn monomial(&self, term: &Expr, scope: &Scope<'a>) -> Option<Monomial> {

@@ -122,8 +122,8 @@ impl<'a> Lowerer<'a> {
                 let curve = self.curve_named(name, scope)?;
                 self.property(&curve, function, at, span, scope)
             }
-            // the curve that is meant may be the one that could not be read
-            Err(_) if self.broken_roles.contains(&role) => Err(Reported),
+            // the curve that is meant may be one that could not be read
+            Err(_) if self.lacks_import || self.broken_roles.contains(&role) => Err(Reported),
             Err(0) => {
                 let message = format!("`{text}` needs a {what}, and the file has none");
                 let finding = self.finding(scope, Code::E0105, function.span, message);

@@ -79,8 +79,16 @@ pub fn nearest<T: AsRef<str> + Ord>(word: &str, known: impl Iterator<Item = T>) 
     };
     known
         .filter(|own| own.as_ref() != word && own.as_ref().chars().count() > 1)
-        .map(|own| (strsim::damerau_levenshtein(word, own.as_ref()), own))
+        .map(|own| (distance(word, own.as_ref()), own))
         .filter(|(distance, own)| *distance <= limit && *distance < own.as_ref().chars().count())
         .min()
         .map(|(_, own)| own)
+}
+
+/// How many letters differ; none if capital letters are all.
+fn distance(one: &str, other: &str) -> usize {
+    if one.to_lowercase() == other.to_lowercase() {
+        return 0;
+    }
+    strsim::damerau_levenshtein(one, other)
 }

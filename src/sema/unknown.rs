@@ -6,7 +6,7 @@ use crate::syntax::lexer::Keyword;
 
 use super::call::BUILT_IN;
 use super::expectation::{QUERIES, quality_of};
-use super::lowerer::{Lowerer, Reported};
+use super::lowerer::{Lowerer, Reported, parameter_of};
 use super::scope::Scope;
 use super::spelling;
 
@@ -31,6 +31,7 @@ impl Lowerer<'_> {
         }
         let finding = match self.misplaced(name, scope) {
             Some(finding) => finding,
+            None if self.lacks_import && lost.is_none() => return Reported,
             None => self.not_declared(name, lost.map(|(_, keyword)| keyword), scope),
         };
         self.report(finding)
@@ -156,6 +157,11 @@ impl Lowerer<'_> {
             && let Some(property) = spelling::property_misspelt(text)
         {
             return Some(property.to_owned());
+        }
+        let capital = ["U", "V"].contains(&text).then(|| text.to_lowercase());
+        let allowed = |own: &String| parameter_of(own).is_some_and(|own| scope.allows(own));
+        if let Some(parameter) = capital.filter(allowed) {
+            return Some(parameter);
         }
         let frame = scope.frame.as_ref();
         let local: Vec<String> = frame

@@ -162,7 +162,8 @@ impl<'a> Expander<'a> {
                 composed.map(in_both).ok_or_else(zero_division)
             }
             Form::SquareRoot(body) => {
-                let (radicand, span) = (self.expanded(body)?, expression.span());
+                // It is expanded whole, and has twice the degree of its root.
+                let (radicand, span) = (self.expand(body)?, expression.span());
                 if let Expanded::Number(own) = &radicand {
                     return root_of_number(own, self.tower, span).map(Expanded::Number);
                 }

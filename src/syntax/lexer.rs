@@ -61,6 +61,9 @@ impl Keyword {
         if !(3..=20).contains(&word.len()) {
             return None;
         }
+        if word == "assert" {
+            return Some(Keyword::Expect);
+        }
         let keywords = Keyword::ALL.iter().copied();
         keywords
             .filter(|keyword| keyword.begins_declaration())
@@ -243,6 +246,7 @@ fn lexeme(input: &str) -> Read<'_, Lexeme> {
         c if c.is_ascii_digit() => number(input),
         c if is_word_character(c) => value(Lexeme::Word, take_while(is_word_character)).parse(rest),
         '#' => value(Lexeme::Comment, line).parse(rest),
+        '&' | '|' => value(Lexeme::Foreign(first), take_while(|own| own == first)).parse(rest),
         '"' => string(rest),
         c if is_superscript(c) => {
             value(Lexeme::Superscript, take_while(is_superscript)).parse(rest)
@@ -560,6 +564,8 @@ fn misplaced(c: char, span: Span) -> Diagnostic {
     };
     match c {
         '{' | '}' => finding.help("brackets are `(…)`, and `[…]` for lists and domains"),
+        '&' => finding.help("an `expect` holds one claim: write an `expect` for each"),
+        '|' => finding.help("there is no `or` and no absolute value; `norm2(a)` is a·a"),
         '!' => finding.help("`!=` is the only sign with `!`"),
         '√' => finding.help("write `sqrt(…)`"),
         _ => finding,

@@ -443,6 +443,9 @@ fn lists_that_are_none() {
             &["E0605"],
             "has 1 values, the first line 2 names",
         ),
+        ("d,\n1,\n2\n", 1, &["E0605"], "column 2 has no name"),
+        ("1\n2\n", 1, &["E0605"], "the first line names the"),
+        ("d;e\n1;2\n", 1, &["E0605"], "separated by commas"),
         ("d,d\n1,2\n", 1, &["E0605"], "`d` has two columns"),
         ("d\n", 1, &["E0605"], "lists no variant"),
         ("", 1, &["E0605"], "lists no variant"),
@@ -482,6 +485,11 @@ fn ranges_keep_to_the_limits_of_numbers() {
         ("d=1:2:1e-40 --max-exponent=3", 4, "error[E0504]"),
         ("d=1:2:1e-5000", 4, "given with `--grid d=…`"),
         ("d=1:1e5000:1e5000 --max-exponent=5000", 0, ""),
+        (
+            "d=1:2:1 --chord=1e-40 --max-exponent=30",
+            4,
+            "given with `--chord`",
+        ),
     ] {
         let arguments = format!("x.sweep --emit table --grid {arguments}");
         let arguments: Vec<&str> = arguments.split(' ').collect();

@@ -56,7 +56,7 @@ pub(crate) const ROWS: &[Row] = &[
         &["W1004"],
         &[
             "x.sweep:1:9\n",
-            "of `R` are all zero at u = 1/3",
+            "of `R` are all zero on the line u = 1/3",
             "common factor",
         ],
     ),

@@ -220,6 +220,13 @@ pub(crate) const ROWS: &[Row] = &[
         &["degree 501", "`--max-degree`"],
     ),
     row(
+        13,
+        Text("surface R = (u, v, sqrt(u^600))"),
+        4,
+        &["E0505"],
+        &["degree 600", "x.sweep:1:25\n"],
+    ),
+    row(
         14,
         Text("surface R = (u, v, (u+v)^4096)"),
         4,

@@ -48,15 +48,16 @@ impl Input {
     pub(super) fn read(
         file: &Path,
         variants: &Variants,
+        emit: &Emit,
         own: &CompileArguments,
         arguments: &Arguments,
         findings: &mut Diagnostics,
     ) -> Result<Self, Refusal> {
         let parsed = Parsed::read(file, &arguments.limits());
         let documents = parsed.documents.as_slice();
-        let mut options = options(arguments, documents, file)?;
-        complete(&mut options, own);
-        let is_sound = parsed.is_readable() && !parsed.diagnostics.has_errors();
+        let mut options = options(arguments, &parsed, file)?;
+        complete(&mut options, emit, own);
+        let is_sound = parsed.is_sound();
         if is_sound {
             for name in variants.grid() {
                 check_parameter(name, documents, file)?;

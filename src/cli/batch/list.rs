@@ -102,6 +102,9 @@ impl List {
             let fields: Vec<String> = fields.map(std::borrow::Cow::into_owned).collect();
             if self.names.is_empty() {
                 self.take_header(&fields, span, findings);
+                if findings.has_errors() {
+                    return;
+                }
                 continue;
             }
             match self.row(&fields, span, limits) {
@@ -126,7 +129,11 @@ impl List {
         self.header = span;
         self.names = fields.iter().map(|own| canonical_name(own)).collect();
         for (index, name) in self.names.iter().enumerate() {
-            if self.names[..index].contains(name) {
+            if name.is_empty() {
+                let message = format!("column {} has no name", index + 1);
+                let finding = Diagnostic::new(Code::E0605, span, message);
+                findings.push(finding.help("name it, or remove its comma from every line"));
+            } else if self.names[..index].contains(name) {
                 let message = format!("`{name}` has two columns");
                 findings.push(Diagnostic::new(Code::E0605, span, message));
             }
@@ -135,6 +142,16 @@ impl List {
             let message = format!("`{field}` is no name: a quote is part of it");
             let finding = Diagnostic::new(Code::E0605, span, message);
             findings.push(help_with_quotes(finding, field));
+        }
+        let unquoted = fields.iter().filter(|own| !own.contains('"'));
+        for field in unquoted.filter(|own| !own.is_empty() && !is_name(own)) {
+            let message = format!("`{field}` is no name");
+            let help = match field.contains([';', '\t']) {
+                true => "columns are separated by commas",
+                false => "the first line names the parameters",
+            };
+            let finding = Diagnostic::new(Code::E0605, span, message);
+            findings.push(finding.help(help));
         }
     }
 
@@ -173,6 +190,12 @@ impl List {
         }
         findings
     }
+}
+
+/// Whether a word may be the name of a parameter.
+fn is_name(word: &str) -> bool {
+    let is_part = |own: char| own.is_alphanumeric() || own == '_';
+    word.chars().all(is_part) && !word.starts_with(|own: char| own.is_ascii_digit())
 }
 
 /// Says why a quote is part of a value that begins with it.

@@ -93,7 +93,7 @@ fn prepare(
     let mut findings = Diagnostics::default();
     let mut inputs: Vec<Input> = Vec::new();
     for file in &own.files {
-        let mut input = Input::read(file, &variants, own, arguments, &mut findings)?;
+        let mut input = Input::read(file, &variants, emit, own, arguments, &mut findings)?;
         input.first = inputs.last().map_or(0, |own| own.first + own.count);
         inputs.push(input);
     }

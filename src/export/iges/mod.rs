@@ -9,7 +9,7 @@ use crate::net::{Model, Part};
 use crate::number::{Real, Unit};
 
 use super::boundary::with_clear_boundaries;
-use super::refusal::{GREATEST_DEGREE, Readers};
+use super::refusal::{GREATEST_DEGREE, INFINITE_POWER, Readers};
 use super::written::Written;
 use super::{Context, Double, ExportFault, Exported, Exporter, Fidelity};
 use file::{Entity, File, Parameter, Pointer, Status, ascii};
@@ -26,8 +26,8 @@ pub(super) const EXPORTER: Exporter = Exporter {
 };
 
 const READERS: Readers = Readers {
-    format: "IGES",
     greatest_degree: Some(GREATEST_DEGREE),
+    infinite_power: Some(INFINITE_POWER),
 };
 
 /// - **errors** a degree above 25 or of 0 (E0305); no patches with positive weights, or weights
@@ -36,7 +36,7 @@ const READERS: Readers = Readers {
 fn write(model: &Model, context: &Context) -> Result<Exported, ExportFault> {
     let ratio = READERS.check(model, context)?;
     let mut file = File::default();
-    let mut written = Written::default();
+    let mut written = Written::for_readers(&READERS);
     // A closed patch becomes periodic in some readers, which drop its last row.
     let clear = with_clear_boundaries(model)?;
     let bounded = clear.as_ref();

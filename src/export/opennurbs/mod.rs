@@ -20,8 +20,9 @@ pub(super) const EXPORTER: Exporter = Exporter {
 };
 
 const READERS: Readers = Readers {
-    format: "3DM",
     greatest_degree: None,
+    // openNURBS calls a surface invalid that has one of these.
+    infinite_power: Some(307),
 };
 
 /// The first 32 bytes: the name of the format and the version of the archive.
@@ -69,6 +70,7 @@ fn write(model: &Model, context: &Context) -> Result<Exported, ExportFault> {
         for patch in part.patches().unwrap_or_default() {
             let rounded = PremultipliedNet::new(&patch.net)?;
             check_premultiplied(&patch.net, &rounded)?;
+            READERS.check_sizes(rounded.points.iter().flatten().flatten())?;
             objects.chunk(chunk::OBJECT, object(part, &rounded, &constants));
             fidelity = fidelity.worse(rounded.fidelity(&patch.net));
             warnings.extend(rounded.warnings);

@@ -1,5 +1,6 @@
 //! STEP (ISO 10303-21) by AP203, AP214 or AP242: B-spline faces in shells with shared edges.
 
+mod configuration;
 mod entities;
 mod geometry;
 mod product;
@@ -10,7 +11,7 @@ use crate::diag::Code;
 use crate::net::{Model, Part};
 
 use super::boundary::with_clear_boundaries;
-use super::refusal::{GREATEST_DEGREE, Readers};
+use super::refusal::{GREATEST_DEGREE, INFINITE_POWER, Readers};
 use super::written::Written;
 use super::{Context, ExportFault, Exported, Exporter, Fidelity};
 use entities::Entities;
@@ -28,8 +29,8 @@ pub(super) const EXPORTER: Exporter = Exporter {
 };
 
 const READERS: Readers = Readers {
-    format: "STEP",
     greatest_degree: Some(GREATEST_DEGREE),
+    infinite_power: Some(INFINITE_POWER),
 };
 
 /// - **errors** a degree above 25 or of 0 (E0305); no patches with positive weights, or weights
@@ -39,7 +40,7 @@ fn write(model: &Model, context: &Context) -> Result<Exported, ExportFault> {
     let ratio = READERS.check(model, context)?;
     let clear = with_clear_boundaries(model)?;
     let mut entities = Entities::default();
-    let mut written = Written::default();
+    let mut written = Written::for_readers(&READERS);
     let shape = if let Some(model) = &clear {
         let mut nets = Vec::new();
         for shell in model.shells() {

@@ -1,8 +1,9 @@
 //! What surrounds the geometry: header, units and the product that has the shape.
 
-use super::Context;
+use super::configuration::Versioned;
 use super::entities::{Entities, Id, string};
 use super::shell::Shape;
+use super::{Context, StepSchema};
 use crate::number::Unit;
 
 /// The header: its records are filled and the time stamp is fixed, so that equal surfaces give
@@ -70,6 +71,24 @@ fn write_geometric_context(unit: Unit, entities: &mut Entities) -> Id {
     ])
 }
 
+/// The category of the product: a part, which AP203 divides further.
+fn write_category(product: Id, schema: StepSchema, entities: &mut Entities) {
+    let mut of_product = |name: &str| {
+        entities.add(&format!(
+            "PRODUCT_RELATED_PRODUCT_CATEGORY('{name}','',({product}))"
+        ))
+    };
+    if schema != StepSchema::Ap203 {
+        of_product("part");
+        return;
+    }
+    let detail = of_product("detail");
+    let part = entities.add("PRODUCT_CATEGORY('part','')");
+    entities.add(&format!(
+        "PRODUCT_CATEGORY_RELATIONSHIP('','',{part},{detail})"
+    ));
+}
+
 /// The product whose shape it is; without it readers find nothing.
 pub(super) fn write(shape: &Shape, context: &Context, entities: &mut Entities) {
     let name = string(context.name());
@@ -87,14 +106,20 @@ pub(super) fn write(shape: &Shape, context: &Context, entities: &mut Entities) {
     ));
     let product_context = entities.add(&format!("{of_product}('',{application},'mechanical')"));
     let product = entities.add(&format!("PRODUCT({name},{name},'',({product_context}))"));
-    entities.add(&format!(
-        "PRODUCT_RELATED_PRODUCT_CATEGORY('part','',({product}))"
-    ));
+    write_category(product, context.step_schema, entities);
     let formation = entities.add(&format!("{of_version}('','',{product}{source})"));
     let stage = entities.add(&format!(
         "{of_definition}('part definition',{application},'design')"
     ));
     let definition = entities.add(&format!("PRODUCT_DEFINITION('','',{formation},{stage})"));
+    if context.step_schema == StepSchema::Ap203 {
+        let versioned = Versioned {
+            product,
+            formation,
+            definition,
+        };
+        versioned.write_configuration(entities);
+    }
     let property = entities.add(&format!("PRODUCT_DEFINITION_SHAPE('','',{definition})"));
     entities.add(&format!(
         "SHAPE_DEFINITION_REPRESENTATION({property},{representation})"

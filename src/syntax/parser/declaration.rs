@@ -373,11 +373,28 @@ fn stray_comma(source: &Source<'_>, at: usize) -> Diagnostic {
     }
     let span = source.span(source.token(at));
     let finding = Diagnostic::new(Code::E0006, span, "unexpected `,`");
+    if source.expectation_around(at).is_some() {
+        return comma_between_claims(source, at, finding);
+    }
     let finding = finding.help("a point is written `(a, b)`");
     match point_without_parentheses(source, at) {
         Some((span, text)) => finding.fix(span, text),
         None => finding,
     }
+}
+
+/// The way out at a comma in an expectation. It is certain that another claim follows if that has
+/// a relation, or the one before it has none.
+fn comma_between_claims(source: &Source<'_>, at: usize, finding: Diagnostic) -> Diagnostic {
+    if source.relation_before(at).is_some() && !source.has_relation_behind(at) {
+        return finding
+            .help("a pair is written `(a, b)`, and each claim is an `expect` of its own");
+    }
+    let before = source.span(source.token(at - 1));
+    let comma = source.span(source.token(at));
+    finding
+        .help("write an `expect` for each claim")
+        .fix(end_of(before).to(comma), "\nexpect")
 }
 
 /// E0006 at the `and` between the relation at an index and the one before it.

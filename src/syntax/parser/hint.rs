@@ -1,7 +1,7 @@
 //! The way out of the common slips: words, and an edit where it is certain.
 
 use super::stream::Source;
-use crate::diag::{Diagnostic, Span};
+use crate::diag::{Code, Diagnostic, Span};
 use crate::syntax::lexer::{Keyword, Token, TokenKind};
 
 /// What is expected behind the name of a curve.
@@ -197,6 +197,38 @@ pub(super) fn closing_edit(
         ((0, 1), "]") => Some((start_of(span), closing.to_owned())),
         _ => None,
     }
+}
+
+/// E0006 at a relation behind an opening parenthesis of an expectation. The parentheses go where
+/// they are all of it.
+pub(super) fn claim_in_parentheses(
+    source: &Source<'_>,
+    opening: usize,
+    at: usize,
+) -> Option<Diagnostic> {
+    let start = source.expectation_around(at)?;
+    if !source.kind(at).is_relation() {
+        return None;
+    }
+    let message = "a claim stands without parentheses";
+    let finding = Diagnostic::new(Code::E0006, source.span(source.token(at)), message)
+        .help("write `expect A == B`, an `expect` for each claim");
+    let whole = source.enclosed(opening).filter(|(_, behind)| {
+        let ends = source.kind(*behind) == TokenKind::End || source.begins_declaration(*behind);
+        opening == start + 1 && ends
+    });
+    Some(match whole {
+        Some((span, _)) => {
+            let opener = source.span(source.token(opening));
+            let inside = Span {
+                start: opener.end,
+                end: span.end - 1,
+                ..span
+            };
+            finding.fix(span, source.slice(inside))
+        }
+        None => finding,
+    })
 }
 
 /// The point in parentheses that the value of a declaration was meant to be, where its first comma

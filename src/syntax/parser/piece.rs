@@ -3,7 +3,7 @@
 use nom::Input;
 
 use super::fault::{Fault, Parsed, expected, told};
-use super::hint::closing_edit;
+use super::hint::{claim_in_parentheses, closing_edit};
 use super::stream::Stream;
 use crate::diag::{Code, Diagnostic, Span};
 use crate::syntax::ast::Name;
@@ -136,6 +136,8 @@ fn unclosed(
         Diagnostic::new(Code::E0005, opener, message)
             .related(source.span(noticed), remark)
             .help(format!("write {}", brackets.closing()))
+    } else if let Some(finding) = claim_in_parentheses(source, input.at, at) {
+        finding
     } else if what == brackets.closing()
         && matches!(
             noticed.kind,

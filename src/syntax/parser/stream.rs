@@ -180,13 +180,25 @@ impl<'a> Source<'a> {
         None
     }
 
-    /// The relation before an index in the `expect` around it, if that begins near enough.
-    pub(super) fn relation_before(&self, index: usize) -> Option<usize> {
+    /// The `expect` around an index, if it begins near enough.
+    pub(super) fn expectation_around(&self, index: usize) -> Option<usize> {
         let mut near = (index.saturating_sub(NEAR)..index).rev();
         let start = near.find(|own| self.begins_declaration(*own))?;
-        let is_expectation = self.kind(start) == TokenKind::Keyword(Keyword::Expect);
+        (self.kind(start) == TokenKind::Keyword(Keyword::Expect)).then_some(start)
+    }
+
+    /// The relation before an index in the `expect` around it.
+    pub(super) fn relation_before(&self, index: usize) -> Option<usize> {
+        let start = self.expectation_around(index)?;
         let mut before = (start..index).rev();
-        before.find(|own| is_expectation && self.kind(*own).is_relation())
+        before.find(|own| self.kind(*own).is_relation())
+    }
+
+    /// Whether a relation stands behind an index in the declaration around it.
+    pub(super) fn has_relation_behind(&self, index: usize) -> bool {
+        let ends = |own: &usize| self.kind(*own) == TokenKind::End || self.begins_declaration(*own);
+        let mut behind = (index + 1..self.tokens.len()).take_while(|own| !ends(own));
+        behind.any(|own| self.kind(own).is_relation())
     }
 
     /// Whether the innermost bracket that is open before an index is a `[`.

@@ -1,13 +1,13 @@
 use crate::diag::Diagnostic;
 
-/// What formats refuse: formats that refuse the same have one finding, which names them.
+/// What formats refuse or warn of: formats that find the same have one finding, which names them.
 #[derive(Debug, Default)]
-pub(super) struct RefusedFormats {
+pub(super) struct FormatFindings {
     list: Vec<(Diagnostic, Vec<&'static str>)>,
 }
 
-impl RefusedFormats {
-    /// Adds the refusal of a format.
+impl FormatFindings {
+    /// Adds what a format finds.
     pub(super) fn add(&mut self, format: &'static str, finding: Diagnostic) {
         let same = |own: &&mut (Diagnostic, _)| {
             let own = &own.0;
@@ -15,12 +15,13 @@ impl RefusedFormats {
                 == (finding.code, finding.primary, &finding.message)
         };
         match self.list.iter_mut().find(same) {
+            Some((_, formats)) if formats.last() == Some(&format) => {}
             Some((_, formats)) => formats.push(format),
             None => self.list.push((finding, vec![format])),
         }
     }
 
-    /// The formats that refuse something.
+    /// The formats that find something.
     pub(super) fn formats(&self) -> impl Iterator<Item = &'static str> {
         self.list.iter().flat_map(|(_, formats)| formats).copied()
     }
