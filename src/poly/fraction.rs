@@ -109,8 +109,10 @@ impl<F: Field> Denominator<F> {
     #[must_use]
     pub fn lcm(&self, other: &Self) -> Self {
         let univariate = |left: &UniPoly<F>, right: &UniPoly<F>| {
-            if left == right {
+            if right.is_one() || left == right {
                 left.clone()
+            } else if left.is_one() {
+                right.clone()
             } else {
                 lcm(left, right)
             }

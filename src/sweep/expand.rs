@@ -123,8 +123,22 @@ impl<'a> Expander<'a> {
         Ok(expanded)
     }
 
-    fn all(&mut self, expressions: &[Scalar]) -> Found<Vec<Expanded>> {
-        expressions.iter().map(|own| self.expanded(own)).collect()
+    /// The terms of a sum or the factors of a product, with those of the sums or products among
+    /// them that nothing else asks for.
+    fn all(&mut self, parts: &[Scalar], nested: Nested) -> Found<Vec<Expanded>> {
+        let mut all = Vec::with_capacity(parts.len());
+        self.gather(parts, nested, &mut all)?;
+        Ok(all)
+    }
+
+    fn gather(&mut self, parts: &[Scalar], nested: Nested, all: &mut Vec<Expanded>) -> Found<()> {
+        for own in parts {
+            match nested(own.form()) {
+                Some(inner) if !own.is_shared() => self.gather(inner, nested, all)?,
+                _ => all.push(self.expanded(own)?),
+            }
+        }
+        Ok(())
     }
 
     fn fraction(&mut self, expression: &Scalar) -> Found<Fraction<Real>> {
@@ -141,8 +155,8 @@ impl<'a> Expander<'a> {
                 *parameter,
                 Quotient::polynomial(own.clone()),
             )),
-            Form::Sum(terms) => Ok(Expanded::sum(&self.all(terms)?)),
-            Form::Product(factors) => Ok(Expanded::product(&self.all(factors)?)),
+            Form::Sum(terms) => Ok(Expanded::sum(&self.all(terms, terms_of)?)),
+            Form::Product(factors) => Ok(Expanded::product(&self.all(factors, factors_of)?)),
             Form::Power(base, exponent) => {
                 let base = self.expanded(base)?;
                 base.power(*exponent).ok_or_else(zero_division)
@@ -204,6 +218,23 @@ impl<'a> Expander<'a> {
         composed
             .map(Expanded::from)
             .ok_or_else(|| division_by_zero(expression))
+    }
+}
+
+/// The parts of a form of one kind.
+type Nested = fn(&Form) -> Option<&[Scalar]>;
+
+fn terms_of(form: &Form) -> Option<&[Scalar]> {
+    match form {
+        Form::Sum(terms) => Some(terms),
+        _ => None,
+    }
+}
+
+fn factors_of(form: &Form) -> Option<&[Scalar]> {
+    match form {
+        Form::Product(factors) => Some(factors),
+        _ => None,
     }
 }
 
