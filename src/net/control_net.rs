@@ -204,7 +204,7 @@ impl ControlNet {
     /// The leading digits of weights and points, without multiplying out; none if the net was not
     /// made from polynomials, or if few digits are known.
     #[must_use]
-    pub fn leading(&self) -> Option<LeadingPoints> {
+    pub fn leading(&self) -> Option<LeadingPoints<'_>> {
         LeadingPoints::of(self.products.as_ref()?)
     }
 

@@ -8,9 +8,9 @@ use super::products::{Products, Term};
 /// The points and weights of a net by their leading digits, from those of the factors of their
 /// terms: no point is multiplied out.
 #[derive(Debug)]
-pub struct LeadingPoints {
+pub struct LeadingPoints<'a> {
     /// W, X, Y, Z
-    sums: Vec<Sum>,
+    sums: Vec<Sum<'a>>,
     /// 1/W₀₀
     first: Leading,
     /// C(n, i) and C(m, j)
@@ -21,9 +21,9 @@ pub struct LeadingPoints {
     columns: Vec<LeadingWord>,
 }
 
-impl LeadingPoints {
+impl<'a> LeadingPoints<'a> {
     /// From the leading digits of all factors; none where few are known of one.
-    pub(super) fn of(products: &Products) -> Option<Self> {
+    pub(super) fn of(products: &'a Products) -> Option<Self> {
         let mut sums = Vec::with_capacity(products.terms().len());
         for own in products.terms() {
             sums.push(Sum::machine(own).map_or_else(|| Sum::digits(own), Some)?);
@@ -86,14 +86,14 @@ type Digits = Vec<Leading>;
 
 /// Σ fₖ[i] gₖ[j], by machine numbers where all sums are such, else by leading digits.
 #[derive(Debug)]
-enum Sum {
-    Machine(Vec<[MachineList; 2]>),
+enum Sum<'a> {
+    Machine(Vec<[&'a [i128]; 2]>),
     Digits(Vec<(Digits, Rc<[Leading]>)>),
 }
 
-impl Sum {
+impl<'a> Sum<'a> {
     /// None where some sum may be longer than a machine number.
-    fn machine(terms: &[Term]) -> Option<Self> {
+    fn machine(terms: &'a [Term]) -> Option<Self> {
         let mut lists = Vec::with_capacity(terms.len());
         for Term { in_u, in_v } in terms {
             let pair = [in_u.machine()?, in_v.machine()?];
@@ -101,7 +101,7 @@ impl Sum {
             if bits + terms.len().ilog2() >= i128::BITS - 2 {
                 return None;
             }
-            lists.push(pair.map(Clone::clone));
+            lists.push(pair.map(MachineList::numbers));
         }
         Some(Self::Machine(lists))
     }
@@ -147,9 +147,8 @@ impl Sum {
 
 /// Σ fₖ[i] gₖ[j]
 #[inline]
-fn exact(terms: &[[MachineList; 2]], i: usize, j: usize) -> i128 {
-    let product = |[in_u, in_v]: &[MachineList; 2]| in_u.numbers()[i] * in_v.numbers()[j];
-    terms.iter().map(product).sum()
+fn exact(terms: &[[&[i128]; 2]], i: usize, j: usize) -> i128 {
+    terms.iter().map(|[in_u, in_v]| in_u[i] * in_v[j]).sum()
 }
 
 /// All of a list, if all are known.

@@ -2,7 +2,7 @@ use std::borrow::Cow;
 use std::rc::Rc;
 
 use crate::number::{Field, Integer, Real, Ring, lcm};
-use crate::poly::{BiDegree, BiPoly, Numerators, UniPoly, binomials};
+use crate::poly::{BiDegree, BiPoly, Numerators, UniPoly, binomial, binomials};
 
 use super::scaled_form::ScaledForm;
 
@@ -109,10 +109,9 @@ impl Products {
 
     /// Control point (i, j).
     pub(super) fn control(&self, (i, j): (usize, usize)) -> Control {
-        let [in_u, in_v] = [(self.degree.u, i), (self.degree.v, j)].map(binomial);
         Control {
             coordinates: [0, 1, 2, 3].map(|axis| self.coordinate(axis, (i, j))),
-            factor: in_u * in_v,
+            factor: binomial(self.degree.u, i) * binomial(self.degree.v, j),
         }
     }
 
@@ -139,14 +138,6 @@ impl Products {
     pub(super) fn terms(&self) -> &[Vec<Term>; 4] {
         &self.terms
     }
-}
-
-/// C(n, k)
-fn binomial((degree, index): (usize, usize)) -> Integer {
-    let steps = 0..index;
-    steps.fold(Integer::one(), |all, step| {
-        all * Integer::from(degree - step) / Integer::from(step + 1)
-    })
 }
 
 /// The scaled Bernstein coefficients of a polynomial, over a denominator.

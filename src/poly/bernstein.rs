@@ -35,11 +35,12 @@ impl<F: Field> UniPoly<F> {
     }
 }
 
+/// Up to this degree C(n,k) ≤ 2ⁿ and the factor before a division are machine numbers.
+const MACHINE: usize = 120;
+
 /// C(n,0), …, C(n,n)
 #[must_use]
 pub fn binomials(degree: usize) -> Vec<Integer> {
-    // C(n, k) ≤ 2ⁿ, and a factor before the division.
-    const MACHINE: usize = 120;
     let mut row = Vec::with_capacity(degree + 1);
     if degree <= MACHINE {
         let mut next = 1_u128;
@@ -55,6 +56,19 @@ pub fn binomials(degree: usize) -> Vec<Integer> {
         row.push(next);
     }
     row
+}
+
+/// C(n,k) for k ≤ n
+#[must_use]
+pub fn binomial(degree: usize, index: usize) -> Integer {
+    let steps = 0..index.min(degree - index);
+    if degree <= MACHINE {
+        let factors = steps.map(|step| ((degree - step) as u128, (step + 1) as u128));
+        return Integer::from(factors.fold(1_u128, |all, (above, below)| all * above / below));
+    }
+    steps.fold(Integer::from(1), |all, step| {
+        all * Integer::from(degree - step) / Integer::from(step + 1)
+    })
 }
 
 /// m / C(n, i) for the least common multiple m of the binomial coefficients.
@@ -158,6 +172,17 @@ mod tests {
 
     fn numbers(values: &[i64]) -> Vec<Rational> {
         values.iter().copied().map(Rational::from).collect()
+    }
+
+    #[test]
+    fn one_binomial_coefficient_is_that_of_the_row() {
+        for degree in [0, 1, 2, 9, 60, 119, 120, 121, 130] {
+            let row = binomials(degree);
+            let each = (0..=degree).map(|index| binomial(degree, index));
+            assert_eq!(each.collect::<Vec<_>>(), row);
+            let sum = row.iter().fold(Integer::from(0), |all, own| all + own);
+            assert_eq!(sum, Integer::from(1) << u32::try_from(degree).unwrap_or(0));
+        }
     }
 
     #[test]

@@ -36,7 +36,7 @@ mod uni;
 mod zero_set;
 
 pub use bernstein::{
-    bernstein, binomials, de_casteljau, from_bernstein, scaled_bernstein, subdivide,
+    bernstein, binomial, binomials, de_casteljau, from_bernstein, scaled_bernstein, subdivide,
 };
 pub use bi::BiPoly;
 pub use bidegree::BiDegree;

@@ -76,6 +76,8 @@ impl<F: Field> Mul for &UniPoly<F> {
     type Output = UniPoly<F>;
     fn mul(self, other: Self) -> UniPoly<F> {
         match (self.degree(), other.degree()) {
+            _ if other.is_one() => return self.clone(),
+            _ if self.is_one() => return other.clone(),
             (None, _) | (_, None) => return UniPoly::zero(),
             (_, Some(0)) => return self.scale(&other.coefficient(0)),
             (Some(0), _) => return other.scale(&self.coefficient(0)),

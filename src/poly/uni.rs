@@ -1,5 +1,6 @@
 use std::borrow::Cow;
 use std::cell::OnceCell;
+use std::cmp::Ordering;
 use std::fmt;
 use std::rc::Rc;
 
@@ -354,6 +355,16 @@ impl<F: Field> UniPoly<F> {
             value = value.times(&numerator).plus(&own.scaled(&power));
         }
         F::from_parts(value, self.denominator() * power)
+    }
+
+    /// The sign of p(x) at a number.
+    #[must_use]
+    pub fn sign_at(&self, at: &F) -> Ordering {
+        if at.is_zero() && !self.is_zero() {
+            let first = self.body().and_then(|own| own.numerators.first());
+            return first.map_or(Ordering::Greater, |own| own.sign());
+        }
+        self.evaluate(at).sign()
     }
 
     /// p(q(x))

@@ -1,4 +1,5 @@
 use std::cell::OnceCell;
+use std::cmp::Ordering;
 use std::rc::Rc;
 
 use crate::curve::Interval;
@@ -118,6 +119,11 @@ impl HomogeneousSurface {
 
     /// The surface of given W, X, Y, Z on a domain.
     fn scaled(coordinates: [BiPoly<Real>; 4], domain: &Domain) -> Self {
+        match rational_sign(&coordinates[0], domain) {
+            Ordering::Less => return Self::new(coordinates.map(|own| -&own)),
+            Ordering::Greater => return Self::new(coordinates),
+            Ordering::Equal => {}
+        }
         let start = start(&coordinates[0], domain);
         if !start.is_rational() && is_rational_up_to_a_factor(&coordinates[0]) {
             // A rational weight makes all that follows cheaper.
@@ -417,6 +423,22 @@ fn joined(proofs: [Option<Coprimality>; 2], separable: bool) -> Coprimality {
     }
     let rational = Coprimality::Modular(*Place::rational().modulus());
     proofs.into_iter().flatten().next().unwrap_or(rational)
+}
+
+/// The sign of W at the start corner of the domain, if it is seen without W itself that this is
+/// rational and not 0; else none.
+fn rational_sign(weight: &BiPoly<Real>, domain: &Domain) -> Ordering {
+    let (u, v) = (domain.u.start(), domain.v.start());
+    let [(in_u, in_v)] = weight.terms() else {
+        return Ordering::Equal;
+    };
+    let is_rational =
+        in_u.is_rational() && in_v.is_rational() && u.is_rational() && v.is_rational();
+    match in_u.sign_at(u) {
+        Ordering::Greater if is_rational => in_v.sign_at(v),
+        Ordering::Less if is_rational => in_v.sign_at(v).reverse(),
+        _ => Ordering::Equal,
+    }
 }
 
 /// W at the start corner of the domain (if that is 0: its first coefficient).
