@@ -43,7 +43,7 @@ impl MachineList {
         self
     }
 
-    /// The digits of the longest number.
+    /// The least b with −2ᵇ ≤ n < 2ᵇ for all numbers.
     #[must_use]
     pub fn bits(&self) -> u32 {
         bits(&self.0)
@@ -77,14 +77,14 @@ impl MachineList {
     /// All numbers divided by one that divides them all, and is not 0, times a factor.
     #[must_use]
     pub fn times_ratio(&self, factor: i128, divisor: i128) -> Option<Self> {
-        if self.bits() + bits(&[factor]) > DIGITS {
+        if self.bits() + bits(&[factor]) >= DIGITS {
             return None;
         }
         let numbers = self.0.iter();
         Some(Self(if divisor == 1 {
             numbers.map(|own| own * factor).collect()
-        } else if self.bits() < i64::BITS && bits(&[divisor]) < i64::BITS {
-            // One instruction divides words.
+        } else if self.bits() < i64::BITS - 1 && bits(&[divisor]) < i64::BITS {
+            // One instruction divides words; −2⁶³/−1 is none.
             let divisor = word(divisor);
             let quotients = numbers.map(|own| i128::from(word(*own) / divisor));
             quotients.map(|own| own * factor).collect()
@@ -218,7 +218,7 @@ impl MachineList {
     #[must_use]
     pub fn times_each(&self, factors: &[i128]) -> Option<Self> {
         let pairs = self.0.iter().zip(factors);
-        let fits = self.bits() + bits(factors) <= DIGITS;
+        let fits = self.bits() + bits(factors) < DIGITS;
         fits.then(|| Self(pairs.map(|(own, factor)| own * factor).collect()))
     }
 
@@ -236,9 +236,13 @@ fn element<R: Ring>(own: i128) -> R {
     R::from_integer(&Integer::of_machine(own))
 }
 
+/// The least b with −2ᵇ ≤ n < 2ᵇ for all numbers.
 #[inline]
 fn bits(list: &[i128]) -> u32 {
-    let all = list.iter().fold(0, |all, own| all | own.unsigned_abs());
+    // n, or −n − 1 for a negative one
+    let all = list
+        .iter()
+        .fold(0, |all, own| all | (own ^ (own >> DIGITS)));
     u128::BITS - all.leading_zeros()
 }
 
@@ -302,7 +306,7 @@ mod tests {
                 let factor = Integer::from(factor);
                 whole(list).iter().map(|own| own * &factor).collect()
             };
-            agrees(scaled.as_ref().map(MachineList::numbers), &times(&list), 1);
+            agrees(scaled.as_ref().map(MachineList::numbers), &times(&list), 2);
             if let Some(scaled) = scaled {
                 let back = scaled.times_ratio(-1, factor);
                 let opposite: Vec<i128> = list.iter().map(|own| -own).collect();

@@ -37,8 +37,8 @@ impl Rough {
                 for own in factors {
                     let own = Self::of(own, effort)?;
                     all = Self {
-                        above: plus(all.above, own.above)?,
-                        below: plus(all.below, own.below)?,
+                        above: plus(all.above, own.above),
+                        below: plus(all.below, own.below),
                     };
                 }
             }
@@ -46,10 +46,10 @@ impl Rough {
             Form::Sum(terms) => {
                 for own in terms {
                     let own = Self::of(own, effort)?;
-                    let raised = plus(all.above, own.below)?;
+                    let raised = plus(all.above, own.below);
                     all = Self {
-                        above: raised.max(plus(own.above, all.below)?),
-                        below: plus(all.below, own.below)?,
+                        above: raised.max(plus(own.above, all.below)),
+                        below: plus(all.below, own.below),
                     };
                 }
             }
@@ -57,8 +57,8 @@ impl Rough {
                 let base = Self::of(base, effort)?;
                 let size = usize::try_from(exponent.unsigned_abs()).ok()?;
                 all = Self {
-                    above: times(base.above, size)?,
-                    below: times(base.below, size)?,
+                    above: times(base.above, size),
+                    below: times(base.below, size),
                 };
                 if *exponent < 0 {
                     std::mem::swap(&mut all.above, &mut all.below);
@@ -87,12 +87,12 @@ fn along(parameter: Parameter, degree: usize) -> BiDegree {
     }
 }
 
-fn plus(left: BiDegree, right: BiDegree) -> Option<BiDegree> {
-    let u = left.u.checked_add(right.u)?;
-    Some(BiDegree::new(u, left.v.checked_add(right.v)?))
+fn plus(left: BiDegree, right: BiDegree) -> BiDegree {
+    let u = left.u.saturating_add(right.u);
+    BiDegree::new(u, left.v.saturating_add(right.v))
 }
 
-fn times(degree: BiDegree, factor: usize) -> Option<BiDegree> {
-    let u = degree.u.checked_mul(factor)?;
-    Some(BiDegree::new(u, degree.v.checked_mul(factor)?))
+fn times(degree: BiDegree, factor: usize) -> BiDegree {
+    let u = degree.u.saturating_mul(factor);
+    BiDegree::new(u, degree.v.saturating_mul(factor))
 }
