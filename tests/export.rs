@@ -107,11 +107,8 @@ fn impossible_nets_are_refused() {
         None
     );
     assert_eq!(ControlNet::bezier([&one; 4], (&to, &from), domain), None);
-    assert_eq!(Knots::new(1, ["0", "1", "1"].map(number).to_vec()), None);
-    assert_eq!(
-        Knots::new(1, ["0", "0", "2", "1", "1"].map(number).to_vec()),
-        None
-    );
+    assert_eq!(Knots::new(1, &["0", "1", "1"].map(number)), None);
+    assert_eq!(Knots::new(1, &["0", "0", "2", "1", "1"].map(number)), None);
 }
 
 #[test]

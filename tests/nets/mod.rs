@@ -153,7 +153,7 @@ pub fn revolved(circle: &str, profile: &[(&str, &str, &str)]) -> ControlNet {
         let spans = (count - 1) / 2;
         let values = (0..2 * spans + 4).map(|index| index.saturating_sub(1) / 2);
         let values = values.map(|own| i64::try_from(own.min(spans)).unwrap());
-        Knots::new(2, values.map(Real::from).collect()).unwrap()
+        Knots::new(2, &values.map(Real::from).collect::<Vec<_>>()).unwrap()
     };
     ControlNet::new(
         knots(circle.split(' ').count()),
@@ -308,7 +308,10 @@ pub fn read_json(text: &str) -> ControlNet {
         let degree = usize::try_from(file["degree"][index].as_u64().unwrap()).unwrap();
         Knots::new(
             degree,
-            array(&file["knots"][along]).iter().map(exact).collect(),
+            &array(&file["knots"][along])
+                .iter()
+                .map(exact)
+                .collect::<Vec<_>>(),
         )
         .unwrap()
     };
