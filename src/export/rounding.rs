@@ -75,7 +75,7 @@ impl Rounding {
     /// - **errors** a number beyond the last double (E0306)
     pub(super) fn knots(&mut self, knots: &Knots, along: &str) -> Result<Vec<Double>, ExportFault> {
         let what = || format!("a knot along {along}");
-        let mut doubles = Vec::with_capacity(knots.values().len());
+        let mut doubles = Vec::with_capacity(knots.control_points() + knots.degree() + 1);
         for (own, count) in knots.multiplicities() {
             let double = self.round(own, &what)?;
             doubles.resize(doubles.len() + count, double);
