@@ -14,7 +14,8 @@ use crate::export::{Context, Exported, Exporter, Guide, StepSchema, View};
 use crate::net::{Model, Part};
 use crate::number::{Real, Unit};
 use crate::report::Report;
-use crate::sema::{self, Program};
+use crate::sema::{self, Library, Program};
+use crate::sweep::Scalar;
 use crate::syntax;
 use crate::syntax::ast::{Document, Item};
 
@@ -97,7 +98,7 @@ pub fn compile_in_steps(
 /// compiled many times.
 #[must_use]
 pub fn compile_with(
-    library: &Document,
+    library: &Library,
     sources: &SourceMap,
     documents: &[Document],
     options: &Options,
@@ -107,7 +108,7 @@ pub fn compile_with(
     let input = sema::Sources {
         map: sources,
         documents,
-        library: std::slice::from_ref(library),
+        library,
         overrides: &options.overrides,
         limits: &options.limits,
     };
@@ -143,14 +144,19 @@ fn quiet_consequences(diagnostics: &mut Diagnostics, documents: &[Document]) {
 
 /// The standard library's declarations, without its text.
 #[must_use]
-pub fn standard_library() -> Document {
+pub fn standard_library() -> Library {
     library(&mut SourceMap::default(), &mut Diagnostics::default())
 }
 
 /// The standard library's declarations; its text joins the sources.
-pub fn library(sources: &mut SourceMap, diagnostics: &mut Diagnostics) -> Document {
+pub fn library(sources: &mut SourceMap, diagnostics: &mut Diagnostics) -> Library {
     let file = sources.add("<standard library>", LIBRARY);
-    syntax::parse(file, LIBRARY, &Limits::default(), diagnostics)
+    Library::new(syntax::parse(
+        file,
+        LIBRARY,
+        &Limits::default(),
+        diagnostics,
+    ))
 }
 
 impl Compilation {
@@ -304,8 +310,8 @@ fn part(surface: &Checked) -> Result<Part, Box<Diagnostic>> {
 fn guides<'a>(surfaces: impl IntoIterator<Item = &'a Checked>) -> Vec<Guide> {
     let mut curves: Vec<Rc<Curve>> = Vec::new();
     let formulas = surfaces.into_iter().map(Checked::definition);
-    for coordinate in formulas.flat_map(|own| &own.coordinates) {
-        coordinate.visit_curves(&mut |curve, _| {
+    for formula in formulas {
+        Scalar::visit_curves(&formula.coordinates, &mut |curve, _| {
             if !curves.iter().any(|known| Rc::ptr_eq(known, curve)) {
                 curves.push(Rc::clone(curve));
             }

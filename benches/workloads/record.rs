@@ -171,7 +171,7 @@ fn polynomial(coefficients: &[String], variable: &str) -> String {
 pub(crate) struct Parsed {
     map: SourceMap,
     document: Document,
-    library: Document,
+    library: sema::Library,
     limits: Limits,
 }
 
@@ -228,7 +228,7 @@ impl Parsed {
         Self {
             map,
             document,
-            library,
+            library: sema::Library::new(library),
             limits,
         }
     }
@@ -241,7 +241,7 @@ impl Parsed {
             &sema::Sources {
                 map: &self.map,
                 documents: std::slice::from_ref(&self.document),
-                library: std::slice::from_ref(&self.library),
+                library: &self.library,
                 overrides: &HashMap::new(),
                 limits: &self.limits,
             },

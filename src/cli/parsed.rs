@@ -2,6 +2,7 @@ use std::path::{Path, PathBuf};
 
 use crate::diag::{Diagnostics, Limits, SourceMap};
 use crate::pipeline::{Compilation, Options, Step, compile_with, library};
+use crate::sema::Library;
 use crate::syntax::ast::Document;
 
 use super::load::{Loaded, load};
@@ -12,7 +13,7 @@ pub(super) struct Parsed {
     pub(super) sources: SourceMap,
     /// The root file first; none if it cannot be read.
     pub(super) documents: Vec<Document>,
-    library: Document,
+    library: Library,
     pub(super) diagnostics: Diagnostics,
     /// Where the files lie, by their number; standard input has no place.
     pub(super) paths: Vec<Option<PathBuf>>,

@@ -4,6 +4,7 @@ use std::rc::Rc;
 use crate::number::{Field, Real, Tower};
 use crate::poly::{Antiderivative, RealRoot, UniPoly, integrate, real_roots};
 
+use super::kinds::Coordinates;
 use super::{
     Axis, Fault, Hodograph, Homogeneous, Interpolant, Interval, Parameter, Plane, Preimage,
     Property, PropertyFunction,
@@ -68,13 +69,22 @@ impl Curve {
         }
     }
 
-    /// The same curve with what is known of how it was built: the preimage of its hodograph, and
-    /// the Hermite interpolant that it is.
+    /// The same curve with what is known from how it was built: its hodograph, the preimage of
+    /// that, and which Hermite interpolant it is.
     #[must_use]
-    pub fn built(self, preimage: Option<Preimage>, interpolant: Option<Interpolant>) -> Self {
+    pub fn built(self, coordinates: Coordinates) -> Self {
+        let hodograph = match (coordinates.slopes, self.plane) {
+            (Some(slopes), Some(plane)) => Hodograph {
+                numerators: plane.in_space(slopes, UniPoly::zero()),
+                denominator: UniPoly::one(),
+            }
+            .into(),
+            _ => self.hodograph,
+        };
         Self {
-            preimage,
-            interpolant,
+            hodograph,
+            preimage: coordinates.preimage,
+            interpolant: coordinates.interpolant,
             ..self
         }
     }
@@ -157,6 +167,10 @@ impl Curve {
     /// Where σ vanishes on the domain; empty if the curve has no σ.
     #[must_use]
     pub fn cusps(&self) -> Vec<RealRoot<Real>> {
+        let regular = |own: &Preimage| !own.has_cusp(&self.domain);
+        if self.preimage.as_ref().is_some_and(regular) {
+            return Vec::new();
+        }
         self.speed()
             .map(|speed| self.hodograph().cusps(speed, &self.domain))
             .unwrap_or_default()
@@ -305,7 +319,8 @@ impl Curve {
     fn curvature(&self) -> Result<(UniPoly<Real>, UniPoly<Real>), Fault> {
         let [(_, a), (_, b)] = self.plane_hodograph()?;
         let speed = self.speed()?;
-        let turning = &(a * &b.derivative()) - &(&a.derivative() * b);
+        let terms = [(1, a, &b.derivative()), (-1, &a.derivative(), b)];
+        let turning = UniPoly::sum_of_products(&terms);
         // N divides: with a + ib = g h ω² both are multiples of |g| h |ω|².
         let turning = turning.exact_div(speed).unwrap_or_else(UniPoly::zero);
         Ok((&turning * &self.hodograph().denominator, speed * speed))

@@ -25,7 +25,7 @@ impl Hodograph {
             if weight.is_constant() {
                 own.derivative()
             } else {
-                &(&own.derivative() * weight) - &(own * &slope)
+                UniPoly::sum_of_products(&[(1, &own.derivative(), weight), (-1, own, &slope)])
             }
         });
         let denominator = if weight.is_constant() {
@@ -61,8 +61,8 @@ impl Hodograph {
         if self.is_zero() {
             return Err(Fault::NoMotion);
         }
-        let squares = self.numerators.iter().map(|own| own * own);
-        let squared = squares.fold(UniPoly::zero(), |sum, own| &sum + &own);
+        let squares = self.numerators.each_ref().map(|own| (1, own, own));
+        let squared = UniPoly::sum_of_products(&squares);
         let (factor, root) = match square_test(&squared) {
             SquareTest::Square { factor, root } => (factor, root),
             SquareTest::NotSquare { odd_part } => return Err(Fault::NotPythagorean { odd_part }),

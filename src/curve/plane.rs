@@ -71,4 +71,14 @@ impl Plane {
             Self::Yz => (Axis::Y, Axis::Z),
         }
     }
+
+    /// Coordinates in space from those along e₁ and e₂, and the one across.
+    #[must_use]
+    pub fn in_space<T>(self, [first, second]: [T; 2], across: T) -> [T; 3] {
+        match self {
+            Self::Xy => [first, second, across],
+            Self::Xz => [first, across, second],
+            Self::Yz => [across, first, second],
+        }
+    }
 }

@@ -41,8 +41,8 @@ impl Preimage {
     #[must_use]
     pub fn hodograph(&self) -> [UniPoly<Real>; 2] {
         let (a, b) = (&self.real, &self.imaginary);
-        let square = &(a * a) - &(b * b);
-        let cross = (a * b).scale(&Real::from(2));
+        let square = UniPoly::sum_of_products(&[(1, a, a), (-1, b, b)]);
+        let cross = UniPoly::sum_of_products(&[(2, a, b)]);
         let (g, h) = (&self.factor.real, &self.factor.imaginary);
         [
             &square.scale(g) - &cross.scale(h),
@@ -59,7 +59,8 @@ impl Preimage {
     /// |ω|²
     #[must_use]
     pub fn norm(&self) -> UniPoly<Real> {
-        &(&self.real * &self.real) + &(&self.imaginary * &self.imaginary)
+        let (a, b) = (&self.real, &self.imaginary);
+        UniPoly::sum_of_products(&[(1, a, a), (1, b, b)])
     }
 
     /// σ = |g| |ω|²; the field grows if it does not hold |g|.   [farouki-nittler, eq. 3]
@@ -77,7 +78,7 @@ impl Preimage {
     #[must_use]
     pub fn turning(&self) -> UniPoly<Real> {
         let (a, b) = (&self.real, &self.imaginary);
-        &(a * &b.derivative()) - &(&a.derivative() * b)
+        UniPoly::sum_of_products(&[(1, a, &b.derivative()), (-1, &a.derivative(), b)])
     }
 
     /// The same directions without the real factors of ω, whose squares do not turn the tangent.

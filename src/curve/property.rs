@@ -43,20 +43,20 @@ impl PropertyFunction {
     #[must_use]
     pub fn derivative(&self) -> Self {
         let slope = self.numerator.derivative();
-        let (top, bottom) = self.bound;
+        let (above, below) = self.bound;
         if self.denominator.is_constant() {
             return Self {
                 numerator: slope,
                 denominator: self.denominator.clone(),
-                bound: (top.saturating_sub(1), bottom),
+                bound: (above.saturating_sub(1), below),
             };
         }
-        let left = &slope * &self.denominator;
-        let right = &self.numerator * &self.denominator.derivative();
+        let (top, bottom) = (&self.numerator, &self.denominator);
+        let terms = [(1, &slope, bottom), (-1, top, &bottom.derivative())];
         Self {
-            numerator: &left - &right,
-            denominator: &self.denominator * &self.denominator,
-            bound: ((top + bottom).saturating_sub(1), 2 * bottom),
+            numerator: UniPoly::sum_of_products(&terms),
+            denominator: bottom * bottom,
+            bound: ((above + below).saturating_sub(1), 2 * below),
         }
     }
 

@@ -95,6 +95,9 @@ impl Complex {
     ///
     /// A field of too large a degree.
     pub fn modulus(&self, tower: &Tower) -> Result<Real, RootFault> {
+        if self.imaginary.is_zero() {
+            return Ok(self.real.absolute());
+        }
         tower.square_root(&self.norm())
     }
 

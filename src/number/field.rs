@@ -95,6 +95,8 @@ pub trait Field: Clone + PartialEq + Eq + Ord + Debug + Display + Send + Sync + 
     }
     /// The numerator and the positive denominator, in lowest terms.
     fn parts(&self) -> (Self::Ring, Integer);
+    /// The same as machine numbers, if both are.
+    fn machine_parts(&self) -> Option<(i128, i128)>;
     /// 0
     fn zero() -> Self;
     /// 1

@@ -1,4 +1,4 @@
-use super::{Integer, Modulus, Ring, divisor};
+use super::{Field, Integer, Modulus, Ring, divisor};
 
 /// A list of machine numbers: the coefficients of most polynomials.
 ///
@@ -19,6 +19,30 @@ impl MachineList {
             numbers.push(own.as_integer()?.machine()?);
         }
         Some(Self(numbers))
+    }
+
+    /// The numerators of fractions over their least common denominator, and that.
+    #[must_use]
+    pub fn of_fractions<F: Field>(values: &[F]) -> Option<(Self, i128)> {
+        let mut fractions = Vec::with_capacity(values.len());
+        let mut common = 1_i128;
+        for own in values {
+            let (above, below) = own.machine_parts()?;
+            if below != common {
+                common = lcm(common, below)?;
+            }
+            fractions.push((above, below));
+        }
+        let numerators = fractions.iter();
+        let longest = bits_of(numerators.clone().map(|own| own.0));
+        if longest + bits(&[common]) > DIGITS {
+            return None;
+        }
+        let scaled = numerators.map(|(above, below)| match common / below {
+            1 => *above,
+            factor => above * factor,
+        });
+        Some((Self(scaled.collect()), common))
     }
 
     /// The numbers.
@@ -53,22 +77,40 @@ impl MachineList {
     /// empty.
     #[must_use]
     pub fn convolution(left: &[i128], right: &[i128]) -> Option<Self> {
-        let shorter = left.len().min(right.len());
-        let [first, second] = [left, right].map(bits);
-        if first + second + shorter.max(1).ilog2() + 1 > DIGITS {
+        Self::products(std::iter::once(Some((1, left, right))))
+    }
+
+    /// The coefficients of Σ fₖ pₖ qₖ for factors fₖ and polynomials with these coefficients, of which
+    /// none is empty; none where one is not known.
+    #[must_use]
+    pub fn products<'a>(
+        terms: impl Iterator<Item = Option<(i128, &'a [i128], &'a [i128])>> + Clone,
+    ) -> Option<Self> {
+        let (mut longest, mut length, mut count) = (0, 0, 0_usize);
+        for term in terms.clone() {
+            let (factor, left, right) = term?;
+            longest = longest.max(bits(left) + bits(right) + growth(factor));
+            length = length.max(left.len() + right.len() - 1);
+            count += left.len().min(right.len());
+        }
+        if longest + count.max(1).ilog2() + 1 > DIGITS {
             return None;
         }
-        let mut sums = vec![0_i128; left.len() + right.len() - 1];
-        let are_words = first < i64::BITS && second < i64::BITS;
-        for (i, own) in left.iter().enumerate() {
-            let places = sums[i..].iter_mut().zip(right);
-            if are_words {
-                // One instruction multiplies two words.
-                places.for_each(|(sum, other)| {
-                    *sum += i128::from(word(*own)) * i128::from(word(*other))
-                });
-            } else {
-                places.for_each(|(sum, other)| *sum += own * other);
+        let mut sums = vec![0_i128; length];
+        for (factor, left, right) in terms.flatten() {
+            // −2⁶³ · −1 is no word.
+            let first = bits(left) + growth(factor) + 1;
+            let are_words = first < i64::BITS && bits(right) < i64::BITS;
+            for (i, own) in left.iter().enumerate() {
+                let own = own * factor;
+                let places = sums[i..].iter_mut().zip(right);
+                if are_words {
+                    // One instruction multiplies two words.
+                    let own = i128::from(word(own));
+                    places.for_each(|(sum, other)| *sum += own * i128::from(word(*other)));
+                } else {
+                    places.for_each(|(sum, other)| *sum += own * other);
+                }
             }
         }
         Some(Self(sums))
@@ -176,16 +218,21 @@ impl MachineList {
     /// m and the integers 0, m a₀, m a₁ / 2, m a₂ / 3, …: the coefficients of an antiderivative.
     #[must_use]
     pub fn antiderivative(list: &[i128]) -> Option<(Self, i128)> {
-        let mut common = 1_i128;
-        for power in 1..=i128::try_from(list.len()).ok()? {
-            let shared = divisor::of_sizes(common.unsigned_abs(), power.unsigned_abs());
-            common = common.checked_mul(power / i128::try_from(shared).ok()?)?;
-        }
+        let powers = 1..=i128::try_from(list.len()).ok()?;
+        let common = powers.into_iter().try_fold(1, lcm)?;
         if bits(list) + bits(&[common]) > DIGITS {
             return None;
         }
         let terms = (1..).zip(list).map(|(power, own)| common / power * own);
         Some((Self(std::iter::once(0).chain(terms).collect()), common))
+    }
+
+    /// f aₖ, but another number in the first place.
+    #[must_use]
+    pub fn with_first(&self, first: i128, factor: i128) -> Option<Self> {
+        let mut scaled = self.times_ratio(factor, 1)?;
+        *scaled.0.first_mut()? = first;
+        Some(scaled)
     }
 
     /// Σ aₖ
@@ -199,9 +246,14 @@ impl MachineList {
     ///
     /// |Δᵏb₀| ≤ 2ⁿ max |bᵢ|
     #[must_use]
-    pub fn differences(&self, binomials: &[i128]) -> Option<Self> {
+    pub fn differences(&self) -> Option<Self> {
         let growth = u32::try_from(self.0.len()).ok()?;
-        if self.bits().checked_add(growth)? > DIGITS {
+        let fits = |list: &[i128]| {
+            bits(list)
+                .checked_add(growth)
+                .is_some_and(|own| own <= DIGITS)
+        };
+        if !fits(&self.0) {
             return None;
         }
         let mut row = self.0.clone();
@@ -211,15 +263,16 @@ impl MachineList {
                 row[index] -= row[index - 1];
             }
         }
-        Self(row).times_each(binomials)
-    }
-
-    /// aₖ bₖ; a list is not longer than the other.
-    #[must_use]
-    pub fn times_each(&self, factors: &[i128]) -> Option<Self> {
-        let pairs = self.0.iter().zip(factors);
-        let fits = self.bits() + bits(factors) < DIGITS;
-        fits.then(|| Self(pairs.map(|(own, factor)| own * factor).collect()))
+        // C(n, k) ≤ 2ⁿ
+        if !fits(&row) {
+            return None;
+        }
+        let mut binomial = 1_i128;
+        for (left, (own, power)) in (0..row.len()).rev().zip(row.iter_mut().zip(1..)) {
+            *own *= binomial;
+            binomial = binomial * left as i128 / power;
+        }
+        Some(Self(row))
     }
 
     /// The images modulo a prime.
@@ -239,11 +292,30 @@ fn element<R: Ring>(own: i128) -> R {
 /// The least b with −2ᵇ ≤ n < 2ᵇ for all numbers.
 #[inline]
 fn bits(list: &[i128]) -> u32 {
+    bits_of(list.iter().copied())
+}
+
+#[inline]
+fn bits_of(numbers: impl Iterator<Item = i128>) -> u32 {
     // n, or −n − 1 for a negative one
-    let all = list
-        .iter()
-        .fold(0, |all, own| all | (own ^ (own >> DIGITS)));
+    let all = numbers.fold(0, |all, own| all | (own ^ (own >> DIGITS)));
     u128::BITS - all.leading_zeros()
+}
+
+/// The least b with |n| ≤ 2ᵇ.
+#[inline]
+fn growth(factor: i128) -> u32 {
+    u128::BITS - factor.unsigned_abs().saturating_sub(1).leading_zeros()
+}
+
+/// The least common multiple of positive numbers.
+fn lcm(left: i128, right: i128) -> Option<i128> {
+    let common = divisor::of_sizes(left.unsigned_abs(), right.unsigned_abs());
+    let factor = right / i128::try_from(common).ok()?;
+    if bits(&[left]) + bits(&[factor]) > DIGITS {
+        return None;
+    }
+    Some(left * factor)
 }
 
 /// A number that is known to be a word.
@@ -255,6 +327,7 @@ fn word(own: i128) -> i64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::number::Rational;
 
     /// Lists of numbers near ±2ᵏ, 0 and ±1.
     fn edges() -> Vec<Vec<i128>> {
@@ -337,7 +410,7 @@ mod tests {
 
     #[test]
     fn derivatives_and_differences_are_exact_or_none() {
-        let binomials = [1, 8, 28, 56, 70, 56, 28, 8, 1];
+        let binomials = [1, 8, 28, 56, 70, 56, 28, 8, 1_i128];
         for list in edges() {
             let (rise, common) = match MachineList::antiderivative(&list) {
                 Some((own, common)) => (own, common),
@@ -354,11 +427,69 @@ mod tests {
             agrees(slope.as_ref().map(MachineList::numbers), &exact, 5);
             if list.len() == binomials.len() {
                 // Σ cₖ xᵏ (1+x)ⁿ⁻ᵏ leads back to C(n, i) bᵢ.
-                let powers = MachineList(list.clone()).differences(&binomials);
-                let back = powers.map(|own| MachineList::binomial_sums(own.numbers(), 8));
-                let scaled = MachineList(list.clone()).times_each(&binomials);
-                assert!(back.flatten().is_none_or(|own| Some(own) == scaled));
+                let powers = MachineList(list.clone()).differences();
+                let back = powers.and_then(|own| MachineList::binomial_sums(own.numbers(), 8));
+                let pairs = list.iter().zip(&binomials);
+                let scaled =
+                    pairs.map(|(own, binomial)| Integer::from(*own) * Integer::from(*binomial));
+                assert!(back.is_none_or(|own| whole(own.numbers()).into_iter().eq(scaled)));
             }
+        }
+    }
+
+    #[test]
+    fn sums_of_products_are_exact_or_none() {
+        let (lists, factors) = (edges(), [1, -1, 2, -2, 3, 1 << 62, -(1 << 63), 1 << 100]);
+        for (index, list) in lists.iter().enumerate() {
+            let factor = factors[index % factors.len()];
+            let others = [
+                &lists[(7 * index + 3) % lists.len()],
+                &lists[(index + 40) % lists.len()],
+            ];
+            let terms = [(factor, list, others[0]), (1, others[1], list)];
+            let machine = terms
+                .iter()
+                .map(|(factor, left, right)| Some((*factor, &left[..], &right[..])));
+            let length = |left: &[i128], right: &[i128]| left.len() + right.len() - 1;
+            let count = length(list, others[0]).max(length(list, others[1]));
+            let mut exact = vec![Integer::from(0); count];
+            for (factor, left, right) in terms {
+                for (i, own) in left.iter().enumerate() {
+                    for (j, other) in right.iter().enumerate() {
+                        let product = Integer::from(factor) * Integer::from(*own);
+                        exact[i + j] = &exact[i + j] + product * Integer::from(*other);
+                    }
+                }
+            }
+            let sums = MachineList::products(machine);
+            let longest = bits(list) + bits(others[0]) + growth(factor);
+            let longest = longest.max(bits(list) + bits(others[1]));
+            match sums {
+                Some(own) => assert_eq!(whole(own.numbers()), exact),
+                None => assert!(longest + 6 > DIGITS),
+            }
+        }
+    }
+
+    #[test]
+    fn fractions_come_over_their_least_common_denominator() {
+        let fraction = |above: i128, below: i128| Rational::new(above.into(), below.into());
+        let long = i128::MAX;
+        for (list, expected) in [
+            (
+                vec![fraction(1, 6), fraction(-3, 4), fraction(0, 1)],
+                Some((vec![2, -9, 0], 12)),
+            ),
+            (vec![fraction(5, 1)], Some((vec![5], 1))),
+            (Vec::new(), Some((Vec::new(), 1))),
+            (vec![fraction(long, 2), fraction(1, 3)], None),
+            (vec![fraction(1, long), fraction(1, long - 1)], None),
+        ] {
+            let found = MachineList::of_fractions(&list);
+            assert_eq!(
+                found,
+                expected.map(|(own, below)| (MachineList(own), below))
+            );
         }
     }
 }

@@ -190,6 +190,10 @@ impl Field for Rational {
         (self.numerator().clone(), self.denominator().clone())
     }
 
+    fn machine_parts(&self) -> Option<(i128, i128)> {
+        Some((self.numerator().machine()?, self.denominator().machine()?))
+    }
+
     fn zero() -> Self {
         Self(Zero::zero())
     }

@@ -227,6 +227,12 @@ impl Field for Surd {
         (self.numerator.clone(), self.denominator.clone())
     }
 
+    #[inline]
+    fn machine_parts(&self) -> Option<(i128, i128)> {
+        let numerator = self.numerator.as_integer()?.machine()?;
+        Some((numerator, self.denominator.machine()?))
+    }
+
     fn zero() -> Self {
         Self::integral(Ring::zero())
     }

@@ -125,9 +125,8 @@ pub fn from_bernstein<F: Field>(coefficients: &[F], from: &F, to: &F) -> UniPoly
     let Some(inverse) = to.minus(from).inverse() else {
         return UniPoly::constant(&coefficients[0]);
     };
-    let (row, denominator) = common_numerators(coefficients);
     // t runs from −from/(to−from) at x = 0 to (1−from)/(to−from) at x = 1.
-    let local = UniPoly::lowest(differences(row, &binomials(degree)), denominator);
+    let local = in_local_powers(coefficients, degree);
     if from.is_zero() && to.is_one() {
         return local;
     }
@@ -135,13 +134,19 @@ pub fn from_bernstein<F: Field>(coefficients: &[F], from: &F, to: &F) -> UniPoly
     local.restrict(&start, &start.plus(&inverse))
 }
 
+/// Σ C(n,k) Δᵏb₀ tᵏ
+fn in_local_powers<F: Field>(coefficients: &[F], degree: usize) -> UniPoly<F> {
+    if let Some((row, denominator)) = MachineList::of_fractions(coefficients)
+        && let Some(powers) = row.differences()
+    {
+        return UniPoly::lowest(powers.trimmed().into(), denominator.into());
+    }
+    let (row, denominator) = common_numerators(coefficients);
+    UniPoly::lowest(differences(row, &binomials(degree)), denominator)
+}
+
 /// C(n,k) Δᵏb₀, without zeros at the end.
 fn differences<R: Ring>(mut row: Vec<R>, binomials: &[Integer]) -> Numerators<R> {
-    if let (Some(list), Some(factors)) = (MachineList::of(&row), MachineList::of(binomials))
-        && let Some(powers) = list.differences(factors.numbers())
-    {
-        return powers.trimmed().into();
-    }
     let mut powers = Vec::with_capacity(row.len());
     for binomial in binomials {
         powers.push(row[0].scaled(binomial));

@@ -19,6 +19,36 @@ impl<F: Field> UniPoly<F> {
         Self::combination(scaled, &common)
     }
 
+    /// Σ fₖ pₖ qₖ for integers fₖ, brought to lowest terms once.
+    #[must_use]
+    pub fn sum_of_products(terms: &[(i64, &Self, &Self)]) -> Self {
+        let in_machine_numbers = || {
+            let nonzero =
+                |(_, left, right): &&(i64, &Self, &Self)| !left.is_zero() && !right.is_zero();
+            let terms = terms.iter().filter(nonzero);
+            let below =
+                |(_, left, right): &(i64, &Self, &Self)| left.denominator() * right.denominator();
+            let common = terms
+                .clone()
+                .map(below)
+                .reduce(|all, own| lcm(&all, &own))?;
+            let products = terms.map(|term| {
+                let (factor, left, right) = term;
+                let factor = Integer::from(*factor) * (&common / below(term));
+                Some((factor.machine()?, left.machine()?, right.machine()?))
+            });
+            let sums = MachineList::products(products)?;
+            Some(Self::lowest(sums.trimmed().into(), common))
+        };
+        in_machine_numbers().unwrap_or_else(|| {
+            terms
+                .iter()
+                .fold(Self::zero(), |sum, (factor, left, right)| {
+                    &sum + &(*left * *right).scale(&F::from_integer(&Integer::from(*factor)))
+                })
+        })
+    }
+
     /// Σ fₖ pₖ / d for the numerators pₖ of polynomials.
     fn combination<'a>(
         terms: impl Iterator<Item = (&'a Self, Integer)> + Clone,

@@ -44,13 +44,16 @@ impl<F: Field> UniPoly<F> {
     /// Σ cᵢ xⁱ from ascending coefficients.
     #[must_use]
     pub fn from_coefficients(coefficients: &[F]) -> Self {
+        // Of a prime power that divides d, some coefficient needs all: it stays in lowest terms.
+        if let Some((numerators, denominator)) = MachineList::of_fractions(coefficients) {
+            return Self::of_parts(numerators.trimmed().into(), denominator.into());
+        }
         let parts: Vec<_> = coefficients.iter().map(Field::parts).collect();
         let denominator = parts
             .iter()
             .fold(Integer::one(), |common, (_, denominator)| {
                 lcm(&common, denominator)
             });
-        // Of a prime power that divides d, some coefficient needs all: it stays in lowest terms.
         let mut numerators: Vec<_> = parts
             .iter()
             .map(|(numerator, own)| numerator.scaled(&(&denominator / own)))
@@ -331,6 +334,35 @@ impl<F: Field> UniPoly<F> {
         let terms = terms.map(|(power, own)| own.scaled(&(&common / Integer::from(power + 1))));
         let numerators = std::iter::once(F::Ring::zero()).chain(terms);
         Self::from_numerators(numerators.collect(), self.denominator() * &common)
+    }
+
+    /// The polynomial P with P′ = p and P(a) = c.
+    #[must_use]
+    pub fn antiderivative_from(&self, at: &F, value: &F) -> Self {
+        let rise = self.antiderivative();
+        if at.is_zero() {
+            return rise.plus_constant(value);
+        }
+        let constant = value.minus(&rise.evaluate(at));
+        rise.plus_constant(&constant)
+    }
+
+    /// p(x) + c for p(0) = 0.
+    fn plus_constant(&self, constant: &F) -> Self {
+        let machine = || {
+            let (above, below) = constant.machine_parts()?;
+            let common = lcm(self.denominator(), &below.into());
+            let factor = (&common / self.denominator()).machine()?;
+            let above = (&common / Integer::from(below) * Integer::from(above)).machine()?;
+            let own = self.numerators_held()?.machine()?;
+            let sum = own.with_first(above, factor)?;
+            // Of a prime power that divides the denominator, some coefficient needs all.
+            Some(Self::of_parts(sum.into(), common))
+        };
+        match machine() {
+            Some(sum) if !constant.is_zero() => sum,
+            _ => self + &Self::constant(constant),
+        }
     }
 
     /// p(x) at a number, by Horner's rule on numerator and denominator.

@@ -10,7 +10,7 @@ use crate::syntax::ast::{Argument, Expr, ExprKind, Name, Reference, Role};
 
 use super::call::BUILT_IN;
 use super::definition::{Definition, DefinitionForm};
-use super::lowerer::{Lowered, Lowerer, Meaning, RESERVED, Reported};
+use super::lowerer::{Lowered, Lowerer, Meaning, Reported, is_reserved};
 use super::scope::{Binding, Frame, Function, Scope};
 use super::value::Value;
 
@@ -59,7 +59,7 @@ impl<'a> Lowerer<'a> {
             Some(_) => return Err(Reported),
             None => {}
         }
-        match self.definitions.get(name.text.as_str()).map(|own| own.form) {
+        match self.definitions.get(&name.text).map(|own| own.form) {
             Some(DefinitionForm::Curve { .. }) => match self.meaning(name, scope)? {
                 Meaning::Curve(curve) => Ok(curve),
                 _ => Err(Reported),
@@ -81,6 +81,9 @@ impl<'a> Lowerer<'a> {
             return self.apply_qualified(span, function, qualifier, arguments, parenthesis, scope);
         }
         let name = &function.name;
+        if is_reserved(&name.text) {
+            return self.bare_property(span, function, arguments, parenthesis, scope);
+        }
         match self.binding(name, scope)? {
             Some(Binding::Curve(curve)) => {
                 let at = self.argument(name, arguments, parenthesis, scope)?;
@@ -91,7 +94,7 @@ impl<'a> Lowerer<'a> {
             }
             _ => {}
         }
-        if let Some(definition) = self.definitions.get(name.text.as_str()).copied() {
+        if let Some(definition) = self.definitions.get(&name.text) {
             return self.apply_definition(
                 span,
                 &definition,
@@ -100,9 +103,6 @@ impl<'a> Lowerer<'a> {
                 parenthesis,
                 scope,
             );
-        }
-        if RESERVED.contains(&name.text.as_str()) {
-            return self.bare_property(span, function, arguments, parenthesis, scope);
         }
         if BUILT_IN.contains(&name.text.as_str()) {
             return self.call_built_in(span, name, arguments, parenthesis, scope);
@@ -128,13 +128,13 @@ impl<'a> Lowerer<'a> {
         parenthesis: Span,
         scope: &Scope<'a>,
     ) -> Lowered<Value> {
-        let declared = self.definitions.contains_key(qualifier.text.as_str());
+        let declared = |own: &Self| own.definitions.contains(&qualifier.text);
         match self.curve_named(qualifier, scope) {
             Ok(curve) => {
                 let at = self.argument(&function.name, arguments, parenthesis, scope)?;
                 self.property(&curve, function, at, span, scope)
             }
-            Err(_) if scope.binding(&qualifier.text).is_none() && !declared => {
+            Err(_) if scope.binding(&qualifier.text).is_none() && !declared(self) => {
                 Err(self.report_unknown(qualifier, scope))
             }
             Err(reported) => {
@@ -393,7 +393,7 @@ impl<'a> Lowerer<'a> {
             let ExprKind::Reference(reference) = &arguments[index].value.kind else {
                 return None;
             };
-            let definition = self.definitions.get(reference.name.text.as_str())?;
+            let definition = self.definitions.get(&reference.name.text)?;
             match definition.form {
                 DefinitionForm::Curve { role, .. } => Some(role),
                 _ => None,
@@ -432,7 +432,7 @@ impl<'a> Lowerer<'a> {
         binding: Binding<'a>,
         scope: &Scope<'_>,
     ) -> Lowered<()> {
-        if RESERVED.contains(&name.text.as_str()) {
+        if is_reserved(&name.text) {
             let finding = self.finding(
                 scope,
                 Code::E0103,
@@ -465,7 +465,7 @@ impl<'a> Lowerer<'a> {
             if let Some(binding) = self.binding(name, scope)? {
                 return Ok(binding);
             }
-            match self.definitions.get(name.text.as_str()).map(|own| own.form) {
+            match self.definitions.get(&name.text).map(|own| own.form) {
                 Some(DefinitionForm::Curve { .. }) => {
                     return Ok(Binding::Curve(self.curve_named(name, scope)?));
                 }

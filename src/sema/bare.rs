@@ -7,7 +7,7 @@ use crate::sweep::{Form, Scalar};
 use crate::syntax::ast::{Name, Reference};
 
 use super::definition::DefinitionForm;
-use super::lowerer::{Lowered, Lowerer, Meaning, RESERVED, Reported, parameter_of};
+use super::lowerer::{Lowered, Lowerer, Meaning, Reported, is_reserved, parameter_of};
 use super::scope::{Binding, Function, Scope};
 use super::value::Value;
 
@@ -42,6 +42,9 @@ impl<'a> Lowerer<'a> {
     /// The value that a name stands for: a constant, a parameter, a unit vector; or a function, a
     /// curve or a surface at its own parameters.
     fn bare_value(&mut self, name: &Name, primes: u32, scope: &Scope<'a>) -> Lowered<Value> {
+        if is_reserved(&name.text) {
+            return self.reserved_value(name, scope);
+        }
         match self.binding(name, scope)? {
             Some(Binding::Function(function)) => {
                 return self.bare_function(&function, name, primes, scope);
@@ -50,9 +53,6 @@ impl<'a> Lowerer<'a> {
             Some(Binding::Value(value)) if primes == 0 => return Ok(value),
             Some(_) => return Err(self.report_prime_of_value(name, scope)),
             None => {}
-        }
-        if RESERVED.contains(&name.text.as_str()) {
-            return self.reserved_value(name, scope);
         }
         self.declared_value(name, primes, scope)
     }
@@ -86,7 +86,7 @@ impl<'a> Lowerer<'a> {
     }
 
     fn declared_value(&mut self, name: &Name, primes: u32, scope: &Scope<'a>) -> Lowered<Value> {
-        let Some(definition) = self.definitions.get(name.text.as_str()) else {
+        let Some(definition) = self.definitions.get(&name.text) else {
             return Err(self.report_unknown(name, scope));
         };
         if let DefinitionForm::Construction { .. } = definition.form {

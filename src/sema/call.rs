@@ -130,9 +130,7 @@ impl<'a> Lowerer<'a> {
                 primes: 0,
                 ..
             }) => {
-                if scope.binding(&name.text).is_none()
-                    && !self.definitions.contains_key(name.text.as_str())
-                {
+                if scope.binding(&name.text).is_none() && !self.definitions.contains(&name.text) {
                     return Err(self.report_unknown(name, scope));
                 }
                 let known = self.curve_named(name, scope);

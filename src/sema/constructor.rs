@@ -11,7 +11,7 @@ use super::value::Value;
 impl<'a> Lowerer<'a> {
     /// The constructor that a name stands for, unless a declaration has taken the name.
     pub(super) fn constructor(&self, name: &Name) -> Option<&'static Kind> {
-        if self.definitions.contains_key(name.text.as_str()) {
+        if self.definitions.contains(&name.text) {
             return None;
         }
         kinds::ALL.iter().find(|kind| kind.name == name.text)
@@ -161,6 +161,9 @@ impl<'a> Lowerer<'a> {
     }
 
     fn constant_point(&mut self, expr: &'a Expr) -> Lowered<Vec<Real>> {
+        if let Some(point) = self.numeral_point(expr) {
+            return Ok(point);
+        }
         let value = self.constant(expr)?;
         match value {
             Value::Pair(_) | Value::Vector(_) => value

@@ -36,20 +36,23 @@ impl<'a> Lowerer<'a> {
             Plane::Yz => curve::Plane::Yz,
         });
         let name = definition.name;
-        let (position, preimage, interpolant) = match self.constructor_call(value) {
+        let (position, coordinates) = match self.constructor_call(value) {
             Some((constructor, arguments, parenthesis)) => {
                 let kind = self.constructor(constructor).ok_or(Reported)?;
                 let values = self.constructor_arguments(kind, arguments, parenthesis)?;
                 let coordinates = self.constructed(kind, &values, &domain, value.span)?;
                 let position = self.placed(&coordinates, plane, value.span)?;
-                (position, coordinates.preimage, coordinates.interpolant)
+                (position, Some(coordinates))
             }
-            None => (self.explicit(value, parameter, plane, &domain)?, None, None),
+            None => (self.explicit(value, parameter, plane, &domain)?, None),
         };
         self.check_common_zero(name, parameter, &domain, &position);
         let tower = self.tower.clone();
-        let curve = Curve::new(name.text.clone(), plane, parameter, domain, position, tower)
-            .built(preimage, interpolant);
+        let curve = Curve::new(name.text.clone(), plane, parameter, domain, position, tower);
+        let curve = match coordinates {
+            Some(coordinates) => curve.built(coordinates),
+            None => curve,
+        };
         if curve.position().is_point() {
             let fault = curve::Fault::NoMotion;
             let finding = Diagnostic::new(fault.code(), name.span, fault.message(&name.text));

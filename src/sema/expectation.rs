@@ -82,7 +82,7 @@ impl<'a> Lowerer<'a> {
             }
             _ => None,
         })?;
-        if self.definitions.contains_key("and") {
+        if self.definitions.contains("and") {
             return None;
         }
         let message = "`and` does not join claims: these are two expectations";
@@ -109,8 +109,7 @@ impl<'a> Lowerer<'a> {
     ) -> Option<Diagnostic> {
         let is_quality = |expr: &Expr| {
             plain_call(expr).is_some_and(|(name, ..)| {
-                quality_of(&name.text).is_some()
-                    && !self.definitions.contains_key(name.text.as_str())
+                quality_of(&name.text).is_some() && !self.definitions.contains(&name.text)
             })
         };
         let (quality, other) = match (is_quality(left), is_quality(right)) {
@@ -155,7 +154,7 @@ impl<'a> Lowerer<'a> {
         }
         let message = "an expectation compares two sides or names a quality of a surface";
         let is_negated = self.sources.map.slice(expr.span).starts_with("not ");
-        let help = match is_negated && !self.definitions.contains_key("not") {
+        let help = match is_negated && !self.definitions.contains("not") {
             true => "a claim cannot be negated",
             false => "write `A == B`, `regular(R)`, `rational_offset(R)` or `positive_weights(R)`",
         };
@@ -172,7 +171,7 @@ impl<'a> Lowerer<'a> {
 
     fn side(&mut self, expr: &'a Expr, surfaces: &[SweptSurface]) -> Lowered<Side> {
         if let Some((name, arguments, parenthesis)) = plain_call(expr)
-            && !self.definitions.contains_key(name.text.as_str())
+            && !self.definitions.contains(&name.text)
         {
             let scope = Scope::constant();
             match name.text.as_str() {
@@ -214,7 +213,7 @@ impl<'a> Lowerer<'a> {
         };
         let surface = qualifier.as_deref().unwrap_or(name);
         if !self.is_surface(surface) {
-            return Err(if self.definitions.contains_key(surface.text.as_str()) {
+            return Err(if self.definitions.contains(&surface.text) {
                 self.report_not_surface(expr.span)
             } else {
                 self.report_unknown(surface, &Scope::constant())

@@ -4,7 +4,7 @@ use crate::syntax::ast::Name;
 
 use super::call::BUILT_IN;
 use super::definition::DefinitionForm;
-use super::lowerer::{Lowerer, Meaning, RESERVED, parameter_of};
+use super::lowerer::{Lowerer, Meaning, is_reserved, parameter_of};
 use super::scope::{Binding, Scope};
 use super::value::Value;
 
@@ -116,7 +116,7 @@ impl Lowerer<'_> {
                 _ => Factor::Function,
             });
         }
-        let is_property = RESERVED.contains(&name) && scope.frame.is_none();
+        let is_property = is_reserved(name) && scope.frame.is_none();
         (is_property || BUILT_IN.contains(&name)).then_some(Factor::Function)
     }
 

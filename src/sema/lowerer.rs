@@ -8,7 +8,8 @@ use crate::sweep::{Scalar, SweptSurface};
 use crate::syntax::ast::{Declaration, Document, Expr, Item, Name, Role};
 
 use super::Program;
-use super::definition::{Definition, DefinitionForm};
+use super::definition::{Definition, DefinitionForm, Definitions, definition_of};
+use super::library::Library;
 use super::scope::{Function, Scope};
 use super::spelling;
 use super::value::Value;
@@ -35,7 +36,7 @@ pub struct Sources<'a> {
     /// The root file first, then its imports.
     pub documents: &'a [Document],
     /// The standard library.
-    pub library: &'a [Document],
+    pub library: &'a Library,
     /// Values that replace those of `param` declarations.
     pub overrides: &'a HashMap<String, Real>,
     /// What the input may ask for.
@@ -80,7 +81,7 @@ pub(super) struct Lowerer<'a> {
     pub(super) sources: &'a Sources<'a>,
     /// The field of all numbers, which grows as they need it.
     pub(super) tower: Tower,
-    pub(super) definitions: BTreeMap<&'a str, Definition<'a>>,
+    pub(super) definitions: Definitions<'a>,
     pub(super) meanings: BTreeMap<&'a str, Meaning>,
     /// Names that are being worked out, outermost first.
     pub(super) pending: Vec<&'a Name>,
@@ -110,7 +111,7 @@ impl<'a> Lowerer<'a> {
         Self {
             sources,
             tower: Tower::new(sources.limits.field_degree),
-            definitions: BTreeMap::new(),
+            definitions: Definitions::new(sources.library),
             meanings: BTreeMap::new(),
             pending: Vec::new(),
             diagnostics: Diagnostics::default(),
@@ -180,73 +181,47 @@ impl<'a> Lowerer<'a> {
     }
 
     fn declare(&mut self) {
-        for document in self.sources.library {
-            for item in &document.items {
-                self.declare_item(item, true);
-            }
-        }
         for document in self.sources.documents {
             for item in &document.items {
-                self.declare_item(item, false);
+                if let Some(definition) = definition_of(&item.declaration) {
+                    self.declare_one(definition);
+                }
             }
         }
     }
 
-    fn declare_item(&mut self, item: &'a Item, library: bool) {
-        let Some((name, form)) = definition_of(&item.declaration) else {
+    fn declare_one(&mut self, definition: Definition<'a>) {
+        let Definition { name, form } = definition;
+        if let Some(meaning) = reserved_meaning(&name.text) {
+            let message = format!("`{}` is reserved", name.text);
+            let finding = Diagnostic::new(Code::E0103, name.span, message).label(meaning);
+            self.report(finding.help("choose another name"));
             return;
-        };
-        if !library && RESERVED.contains(&name.text.as_str()) {
-            let finding = Diagnostic::new(
-                Code::E0103,
-                name.span,
-                format!("`{}` is reserved", name.text),
-            )
-            .label(reserved_meaning(&name.text))
-            .help("choose another name");
+        }
+        if let Some(earlier) = self.definitions.of_file(&name.text) {
+            let message = format!("`{}` is declared twice", name.text);
+            let finding = Diagnostic::new(Code::E0102, name.span, message).label("again here");
+            let finding = finding.related(earlier.span(), "first declared here");
             self.report(finding);
             return;
         }
-        let definition = Definition {
-            name,
-            form,
-            library,
-        };
-        match self.definitions.get(name.text.as_str()) {
-            Some(earlier) if earlier.library => {
-                if matches!(form, DefinitionForm::Construction { .. }) {
-                    let message = format!(
-                        "`{}` replaces the construction of the standard library",
-                        name.text
-                    );
-                    self.report(Diagnostic::new(Code::W1002, name.span, message));
-                }
-                self.definitions.insert(&name.text, definition);
-            }
-            Some(earlier) => {
-                let finding = Diagnostic::new(
-                    Code::E0102,
-                    name.span,
-                    format!("`{}` is declared twice", name.text),
-                );
-                let first = earlier.span();
-                self.report(
-                    finding
-                        .label("again here")
-                        .related(first, "first declared here"),
-                );
-            }
-            None => {
-                self.definitions.insert(&name.text, definition);
-            }
+        if matches!(form, DefinitionForm::Construction { .. })
+            && self.sources.library.get(&name.text).is_some()
+        {
+            let message = format!(
+                "`{}` replaces the construction of the standard library",
+                name.text
+            );
+            self.report(Diagnostic::new(Code::W1002, name.span, message));
         }
+        self.definitions.insert(definition);
     }
 
     /// The sound curves of a file.
     fn curves(&self, document: &Document) -> Vec<Rc<Curve>> {
         let names = document.items.iter().filter_map(|item| {
-            let (name, _) = definition_of(&item.declaration)?;
-            self.meanings.get(name.text.as_str())
+            let definition = definition_of(&item.declaration)?;
+            self.meanings.get(definition.name.text.as_str())
         });
         let curves = names.filter_map(|meaning| match meaning {
             Meaning::Curve(curve) => Some(Rc::clone(curve)),
@@ -298,8 +273,8 @@ impl<'a> Lowerer<'a> {
     fn check_every_definition(&mut self) {
         let documents = self.sources.documents;
         for item in documents.iter().flat_map(|document| &document.items) {
-            if let Some((name, form)) = definition_of(&item.declaration) {
-                let known = self.definitions.get(name.text.as_str());
+            if let Some(Definition { name, form }) = definition_of(&item.declaration) {
+                let known = self.definitions.of_file(&name.text);
                 let own = known.is_some_and(|known| known.span() == name.span);
                 if own
                     && !matches!(
@@ -358,7 +333,7 @@ impl<'a> Lowerer<'a> {
     /// The only curve of a role in a file, or else among all files; none if there are several.
     pub(super) fn only_curve(&self, role: Role, file: FileId) -> Result<&'a Name, usize> {
         let of_role = |definition: &&Definition<'a>| matches!(definition.form, DefinitionForm::Curve { role: own, .. } if own == role);
-        let all: Vec<_> = self.definitions.values().filter(of_role).collect();
+        let all: Vec<_> = self.definitions.of_files().filter(of_role).collect();
         let here: Vec<_> = all.iter().filter(|own| own.span().file == file).collect();
         match (here.as_slice(), all.as_slice()) {
             ([only], _) => Ok(only.name),
@@ -372,7 +347,7 @@ impl<'a> Lowerer<'a> {
         let of_role = |definition: &&Definition<'a>| matches!(definition.form, DefinitionForm::Curve { role: own, .. } if own == role);
         let mut names: Vec<_> = self
             .definitions
-            .values()
+            .of_files()
             .filter(of_role)
             .map(|own| own.name)
             .collect();
@@ -382,7 +357,7 @@ impl<'a> Lowerer<'a> {
 
     /// What a declared name means; it is worked out at its first use.
     pub(super) fn meaning(&mut self, name: &Name, scope: &Scope<'a>) -> Lowered<Meaning> {
-        let Some(definition) = self.definitions.get(name.text.as_str()).copied() else {
+        let Some(definition) = self.definitions.get(&name.text) else {
             return Err(Reported);
         };
         let key: &'a str = &definition.name.text;
@@ -498,8 +473,13 @@ pub(super) fn parameter_of(name: &str) -> Option<Parameter> {
     }
 }
 
-fn reserved_meaning(name: &str) -> &'static str {
-    match name {
+/// Whether a name is one of [`RESERVED`]: nothing that is declared or handed over has it.
+pub(super) fn is_reserved(name: &str) -> bool {
+    reserved_meaning(name).is_some()
+}
+
+fn reserved_meaning(name: &str) -> Option<&'static str> {
+    Some(match name {
         "u" | "v" => "this is a parameter of curves and surfaces",
         "i" | "j" | "k" => "this is a unit vector",
         "x" | "y" | "z" => "this is a coordinate of a curve",
@@ -508,32 +488,21 @@ fn reserved_meaning(name: &str) -> &'static str {
         "t" => "this is the unit tangent of a curve",
         "n" => "this is the unit normal of a curve",
         "κ" => "this is the curvature of a curve",
-        _ => "this is the radius of curvature of a curve",
-    }
+        "ρ" => "this is the radius of curvature of a curve",
+        _ => return None,
+    })
 }
 
-/// The name that a declaration gives a meaning, and that meaning.
-pub(super) fn definition_of(declaration: &Declaration) -> Option<(&Name, DefinitionForm<'_>)> {
-    use Declaration as D;
-    use DefinitionForm as F;
-    #[rustfmt::skip]
-    let definition = match declaration {
-        D::Param { name, value } => (name, F::Constant { value, is_param: true }),
-        D::Let { name, parameters, value } if parameters.is_empty() => {
-            (name, F::Constant { value, is_param: false })
-        }
-        D::Let { name, parameters, value } => (name, F::Function { parameters, value }),
-        D::Curve { role, name, parameter, plane, domain, value } => {
-            let plane = plane.map(|(plane, _)| plane);
-            (name, F::Curve { role: *role, parameter, plane, domain: domain.as_ref(), value })
-        }
-        D::Construction { name, parameters, body, bindings } => {
-            (name, F::Construction { parameters, body, bindings })
-        }
-        D::Surface { name, domain, value } => {
-            (name, F::Surface { domain: domain.as_ref(), value })
-        }
-        D::Expect { .. } | D::Import { .. } | D::Unit { .. } => return None,
-    };
-    Some(definition)
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn reserved_names_are_those_of_the_list() {
+        assert!(RESERVED.into_iter().all(is_reserved));
+        let letters = ('a'..='z').chain('α'..='ω').map(String::from);
+        let reserved = letters.filter(|own| is_reserved(own)).count();
+        assert_eq!(reserved, RESERVED.len());
+        assert!(!is_reserved("") && !is_reserved("uv"));
+    }
 }

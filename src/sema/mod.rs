@@ -13,6 +13,7 @@ mod definition;
 mod expectation;
 mod expression;
 mod joined;
+mod library;
 mod lowerer;
 mod names;
 mod numeral;
@@ -29,6 +30,7 @@ mod value;
 
 pub use call::BUILT_IN;
 pub use expectation::QUERIES;
+pub use library::Library;
 pub use lowerer::{RESERVED, Sources, lower};
 pub use names::Names;
 pub use program::Program;

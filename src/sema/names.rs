@@ -5,9 +5,10 @@ use crate::syntax::Reading;
 use crate::syntax::ast::{Declaration, Document, Name, Reference};
 
 use super::call::BUILT_IN;
-use super::definition::DefinitionForm;
+use super::definition::{Definition, DefinitionForm, definition_of};
 use super::expectation::QUERIES;
-use super::lowerer::{RESERVED, definition_of, parameter_of};
+use super::library::Library;
+use super::lowerer::{is_reserved, parameter_of};
 
 /// What the names of a file stand for, as far as their declarations tell.
 #[derive(Debug, Clone, Default)]
@@ -19,14 +20,14 @@ pub struct Names<'a> {
 impl<'a> Names<'a> {
     /// The names of a file, the first one, of its imports, and of the standard library.
     #[must_use]
-    pub fn of(documents: &'a [Document], library: &'a Document) -> Self {
+    pub fn of(documents: &'a [Document], library: &'a Library) -> Self {
         let mut declared = HashMap::new();
-        let documents = documents.iter().chain([library]);
+        let documents = documents.iter().chain([library.document()]);
         for item in documents.flat_map(|document| &document.items) {
-            let Some((name, form)) = definition_of(&item.declaration) else {
+            let Some(Definition { name, form }) = definition_of(&item.declaration) else {
                 continue;
             };
-            if !RESERVED.contains(&name.text.as_str()) {
+            if !is_reserved(&name.text) {
                 let constant = matches!(form, DefinitionForm::Constant { .. });
                 declared.entry(name.text.as_str()).or_insert(constant);
             }
@@ -66,7 +67,7 @@ impl<'a> Names<'a> {
 
     fn is_known(&self, name: &str) -> bool {
         self.declared.contains_key(name)
-            || RESERVED.contains(&name)
+            || is_reserved(name)
             || BUILT_IN.contains(&name)
             || QUERIES.contains(&name)
             || kinds::RESERVED.contains(&name)
@@ -79,9 +80,9 @@ pub(super) fn applies(function: &Reference, stands_for_value: impl Fn(&Name) -> 
     if let Some(qualifier) = &function.qualifier {
         return !stands_for_value(qualifier) && parameter_of(&qualifier.text).is_none();
     }
-    let name = function.name.text.as_str();
-    function.primes > 0
-        || (!stands_for_value(&function.name)
-            && parameter_of(name).is_none()
-            && !["i", "j", "k"].contains(&name))
+    match function.name.text.as_str() {
+        _ if function.primes > 0 => true,
+        "u" | "v" | "i" | "j" | "k" => false,
+        name => is_reserved(name) || !stands_for_value(&function.name),
+    }
 }

@@ -1,4 +1,4 @@
-use crate::number::{Field, Rational};
+use crate::number::{Field, Rational, Real};
 use crate::syntax::ast::{Expr, ExprKind, ProductOp, Sign};
 
 use super::lowerer::Lowerer;
@@ -13,6 +13,21 @@ impl Lowerer<'_> {
         let limits = self.sources.limits;
         let left = limits.nesting.saturating_sub(self.depth);
         nested(expr, limits.exponent, left.min(NESTING))
+    }
+
+    /// The point whose two or three coordinates are numerals, none of them too long.
+    pub(super) fn numeral_point(&self, expr: &Expr) -> Option<Vec<Real>> {
+        let limits = self.sources.limits;
+        let left = limits.nesting.saturating_sub(self.depth).checked_sub(1)?;
+        let ExprKind::Tuple(entries) = &expr.kind else {
+            return None;
+        };
+        let coordinate = |own| {
+            let number = nested(own, limits.exponent, left.min(NESTING)).map(Real::from);
+            number.filter(|own| own.bits() <= limits.bits)
+        };
+        let is_point = matches!(entries.len(), 2 | 3);
+        is_point.then(|| entries.iter().map(coordinate).collect())?
     }
 }
 

@@ -222,7 +222,7 @@ impl<'a> Lowerer<'a> {
     /// The unknown or ambiguous name in front of a parenthesis is not a product.
     pub(super) fn names_constant(&self, name: &Name) -> bool {
         use super::definition::DefinitionForm;
-        let definition = self.definitions.get(name.text.as_str());
+        let definition = self.definitions.get(&name.text);
         definition.is_some_and(|own| matches!(own.form, DefinitionForm::Constant { .. }))
     }
 }

@@ -180,7 +180,7 @@ impl<'a> Lowerer<'a> {
 
     /// The names of the curves that run in such a parameter, in the order of the text.
     fn curves_in(&self, runs: impl Fn(Parameter) -> bool) -> Vec<&'a Name> {
-        let definitions = self.definitions.values();
+        let definitions = self.definitions.of_files();
         let curves = definitions.filter_map(|own| match own.form {
             DefinitionForm::Curve { parameter, .. } => Some((own.name, parameter)),
             _ => None,
@@ -279,7 +279,7 @@ impl<'a> Lowerer<'a> {
         }
         self.cusps_reported.push(curve.name().to_owned());
         let cusps = curve.cusps();
-        let Some(definition) = self.definitions.get(curve.name()).copied() else {
+        let Some(definition) = self.definitions.get(curve.name()) else {
             return;
         };
         if cusps.is_empty() {

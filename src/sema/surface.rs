@@ -13,7 +13,7 @@ use super::value::Value;
 impl<'a> Lowerer<'a> {
     /// Whether a name is declared as a surface.
     pub(super) fn is_surface(&self, name: &Name) -> bool {
-        let definition = self.definitions.get(name.text.as_str());
+        let definition = self.definitions.get(&name.text);
         definition.is_some_and(|own| matches!(own.form, DefinitionForm::Surface { .. }))
     }
 
@@ -50,10 +50,13 @@ impl<'a> Lowerer<'a> {
         };
         let domain = match given {
             Some(domain) => domain,
-            None => Domain {
-                u: self.domain_of_curves(name, &coordinates, Parameter::U)?,
-                v: self.domain_of_curves(name, &coordinates, Parameter::V)?,
-            },
+            None => {
+                let used = curves_used(&coordinates);
+                Domain {
+                    u: self.domain_of_curves(name, &used, Parameter::U)?,
+                    v: self.domain_of_curves(name, &used, Parameter::V)?,
+                }
+            }
         };
         Ok(SweptSurface {
             name: name.text.clone(),
@@ -69,21 +72,13 @@ impl<'a> Lowerer<'a> {
     fn domain_of_curves(
         &mut self,
         name: &Name,
-        coordinates: &[Scalar; 3],
+        used: &[(Rc<Curve>, [bool; 2])],
         parameter: Parameter,
     ) -> Lowered<Interval> {
-        let mut used: Vec<Rc<Curve>> = Vec::new();
-        for own in coordinates {
-            own.visit_curves(&mut |curve, argument| {
-                let same = matches!(argument.form(), Form::Parameter(own) if *own == parameter);
-                if (same || curve.parameter() == parameter)
-                    && !used.iter().any(|known| Rc::ptr_eq(known, curve))
-                {
-                    used.push(Rc::clone(curve));
-                }
-            });
-        }
-        let leading = |curve: &&Rc<Curve>| {
+        let index = usize::from(parameter == Parameter::V);
+        let used = used.iter().filter(|(_, own)| own[index]);
+        let used: Vec<&Rc<Curve>> = used.map(|(curve, _)| curve).collect();
+        let leading = |curve: &&&Rc<Curve>| {
             let role = match parameter {
                 Parameter::U => Role::Profile,
                 Parameter::V => Role::Sweep,
@@ -92,7 +87,7 @@ impl<'a> Lowerer<'a> {
             curve.parameter() == parameter
                 && definition.is_some_and(|own| matches!(own.form, DefinitionForm::Curve { role: own, .. } if own == role))
         };
-        let chosen: Vec<Rc<Curve>> = used.iter().filter(leading).cloned().collect();
+        let chosen: Vec<&Rc<Curve>> = used.iter().filter(leading).copied().collect();
         let chosen = if chosen.is_empty() { used } else { chosen };
         let Some(first) = chosen.first() else {
             return Ok(Interval::unit());
@@ -110,4 +105,22 @@ impl<'a> Lowerer<'a> {
         let finding = Diagnostic::new(Code::E0211, name.span, message);
         Err(self.report(finding.help("give the surface its domain: `on [a, b] x [c, d]`")))
     }
+}
+
+/// The curves that a surface uses, and whether it uses them in u, and in v: each in its own
+/// parameter, and in the one it is used at.
+fn curves_used(coordinates: &[Scalar; 3]) -> Vec<(Rc<Curve>, [bool; 2])> {
+    let mut used: Vec<(Rc<Curve>, [bool; 2])> = Vec::new();
+    Scalar::visit_curves(coordinates, &mut |curve, argument| {
+        let is_in = |parameter| {
+            curve.parameter() == parameter
+                || matches!(argument.form(), Form::Parameter(own) if *own == parameter)
+        };
+        let now = [is_in(Parameter::U), is_in(Parameter::V)];
+        match used.iter_mut().find(|(own, _)| Rc::ptr_eq(own, curve)) {
+            Some((_, known)) => *known = [known[0] || now[0], known[1] || now[1]],
+            None => used.push((Rc::clone(curve), now)),
+        }
+    });
+    used
 }

@@ -8,15 +8,15 @@ use crate::syntax::ast::{Expr, ExprKind, Name};
 use super::call::BUILT_IN;
 use super::definition::{Definition, DefinitionForm};
 use super::expectation::QUERIES;
-use super::lowerer::{Lowerer, RESERVED};
+use super::lowerer::{Lowerer, is_reserved};
 use super::scope::{Binding, Frame, Scope};
 
 impl<'a> Lowerer<'a> {
     /// Reports the names in constructions that stand for nothing, whatever is handed over, whether
     /// or not the constructions are used.
     pub(super) fn check_names_of_constructions(&mut self) {
-        let definitions: Vec<Definition<'a>> = self.definitions.values().copied().collect();
-        for definition in definitions.into_iter().filter(|own| !own.library) {
+        let definitions: Vec<Definition<'a>> = self.definitions.of_files().copied().collect();
+        for definition in definitions {
             let DefinitionForm::Construction {
                 parameters,
                 body,
@@ -42,8 +42,8 @@ impl<'a> Lowerer<'a> {
     }
 
     fn means_something(&self, name: &str) -> bool {
-        self.definitions.contains_key(name)
-            || RESERVED.contains(&name)
+        self.definitions.contains(name)
+            || is_reserved(name)
             || BUILT_IN.contains(&name)
             || QUERIES.contains(&name)
             || is_constructor(name)

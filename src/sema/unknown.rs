@@ -139,7 +139,7 @@ impl Lowerer<'_> {
             .is_some_and(|own| own.is_ascii_alphabetic() || *own == b'"');
         let word = self.sources.map.slice(span);
         let blank = text.get(start + length) == Some(&b' ');
-        if !goes_on || !blank || self.definitions.contains_key(word) {
+        if !goes_on || !blank || self.definitions.contains(word) {
             return None;
         }
         Some((
@@ -174,7 +174,7 @@ impl Lowerer<'_> {
             .chain(kinds::ALL.iter().map(|kind| kind.name))
             .chain(QUERIES.into_iter().filter(|_| frame.is_none()))
             .filter(|_| applied);
-        let declared = self.definitions.keys().copied().chain(fixed);
+        let declared = self.definitions.names().into_iter().chain(fixed);
         let known = local.into_iter().chain(declared.map(str::to_owned));
         spelling::nearest(text, known)
     }

@@ -118,7 +118,8 @@ impl Form {
             let own = part.0.facts;
             facts.depth = facts.depth.max(own.depth + 1);
             facts.rooted |= own.rooted;
-            facts.depends = [0, 1].map(|index| facts.depends[index] || own.depends[index]);
+            facts.depends[0] |= own.depends[0];
+            facts.depends[1] |= own.depends[1];
         });
         match self {
             Self::Parameter(own) | Self::Polynomial(own, _) => {
@@ -330,9 +331,10 @@ impl Scalar {
         self.0.facts.depth
     }
 
-    /// Calls a function for every curve that the expression uses, with the argument it is used at.
-    pub fn visit_curves(&self, visit: &mut dyn FnMut(&Rc<Curve>, &Self)) {
-        self.walk(&mut BTreeSet::new(), visit);
+    /// Calls a function for every curve that expressions use, with the argument it is used at.
+    pub fn visit_curves(of: &[Self], visit: &mut dyn FnMut(&Rc<Curve>, &Self)) {
+        let mut seen = BTreeSet::new();
+        of.iter().for_each(|own| own.walk(&mut seen, visit));
     }
 
     fn walk(&self, seen: &mut BTreeSet<usize>, visit: &mut dyn FnMut(&Rc<Curve>, &Self)) {

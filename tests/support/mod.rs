@@ -78,11 +78,11 @@ pub(crate) fn lower(text: &str) -> (Program, Diagnostics) {
     let file = map.add("test.sweep", text);
     let document = syntax::parse(file, text, &limits, &mut found);
     let file = map.add("library", LIBRARY);
-    let library = syntax::parse(file, LIBRARY, &limits, &mut found);
+    let library = sema::Library::new(syntax::parse(file, LIBRARY, &limits, &mut found));
     let input = sema::Sources {
         map: &map,
         documents: &[document],
-        library: &[library],
+        library: &library,
         overrides: &std::collections::HashMap::new(),
         limits: &limits,
     };

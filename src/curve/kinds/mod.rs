@@ -197,17 +197,12 @@ pub struct Coordinates {
     pub weight: UniPoly<Real>,
     /// Two or three numerators.
     pub numerators: Vec<UniPoly<Real>>,
+    /// The hodograph, where the curve was built from it.
+    pub slopes: Option<[UniPoly<Real>; 2]>,
     /// The preimage of the hodograph, where the curve was built from it.
     pub preimage: Option<Preimage>,
     /// Which interpolant of Hermite data the curve is.
     pub interpolant: Option<Interpolant>,
-}
-
-/// ∫ of a slope over the domain, from a value at its start.
-fn integral(slope: &UniPoly<Real>, domain: &Interval, start: &Real) -> UniPoly<Real> {
-    let rise = slope.antiderivative();
-    let offset = start - &rise.evaluate(domain.start());
-    &rise + &UniPoly::constant(&offset)
 }
 
 impl Coordinates {
@@ -217,6 +212,7 @@ impl Coordinates {
         Self {
             weight,
             numerators,
+            slopes: None,
             preimage: None,
             interpolant: None,
         }
@@ -225,12 +221,13 @@ impl Coordinates {
     /// The plane curve r with r′ = g ω² from a start, by its preimage.
     #[must_use]
     pub fn pythagorean(preimage: Preimage, start: &[Real; 2], domain: &Interval) -> Self {
-        let [x, y] = preimage.hodograph();
-        let numerators = vec![
-            integral(&x, domain, &start[0]),
-            integral(&y, domain, &start[1]),
-        ];
+        let slopes = preimage.hodograph();
+        let coordinates = slopes.iter().zip(start);
+        let numerators = coordinates
+            .map(|(slope, start)| slope.antiderivative_from(domain.start(), start))
+            .collect();
         Self {
+            slopes: Some(slopes),
             preimage: Some(preimage),
             ..Self::rational(UniPoly::one(), numerators)
         }
@@ -239,16 +236,11 @@ impl Coordinates {
     /// The coordinates in space: pairs are placed in a plane's axes.
     #[must_use]
     pub fn in_space(&self, plane: Option<Plane>) -> Option<super::Homogeneous> {
-        let mut coordinates = [UniPoly::zero(), UniPoly::zero(), UniPoly::zero()];
-        match (self.numerators.as_slice(), plane) {
-            ([a, b], Some(plane)) => {
-                let (first, second) = plane.axes();
-                coordinates[first.index()] = a.clone();
-                coordinates[second.index()] = b.clone();
-            }
-            ([x, y, z], None) => coordinates = [x.clone(), y.clone(), z.clone()],
+        let coordinates = match (self.numerators.as_slice(), plane) {
+            ([a, b], Some(plane)) => plane.in_space([a.clone(), b.clone()], UniPoly::zero()),
+            ([x, y, z], None) => [x.clone(), y.clone(), z.clone()],
             _ => return None,
-        }
+        };
         let scale = self.weight.primitive();
         let ratio = self.weight.leading_coefficient();
         let factor = crate::number::Field::inverse(&ratio)?;
