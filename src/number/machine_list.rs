@@ -10,6 +10,21 @@ pub struct MachineList(Vec<i128>);
 /// The binary digits that every machine number may have; so −n is one too.
 const DIGITS: u32 = i128::BITS - 1;
 
+/// The least common multiples of 1, …, n, for n below their number: machine numbers.
+const COMMON_MULTIPLES: [i128; 80] = {
+    let mut multiples = [1; 80];
+    let mut n = 1;
+    while n < multiples.len() {
+        let (mut left, mut right) = (multiples[n - 1], n as i128);
+        while right != 0 {
+            (left, right) = (right, left % right);
+        }
+        multiples[n] = multiples[n - 1] / left * n as i128;
+        n += 1;
+    }
+    multiples
+};
+
 impl MachineList {
     /// All of a list, if all are machine numbers.
     #[must_use]
@@ -77,18 +92,15 @@ impl MachineList {
     /// empty.
     #[must_use]
     pub fn convolution(left: &[i128], right: &[i128]) -> Option<Self> {
-        Self::products(std::iter::once(Some((1, left, right))))
+        Self::products(&[(1, left, right)])
     }
 
     /// The coefficients of Σ fₖ pₖ qₖ for factors fₖ and polynomials with these coefficients, of which
-    /// none is empty; none where one is not known.
+    /// none is empty.
     #[must_use]
-    pub fn products<'a>(
-        terms: impl Iterator<Item = Option<(i128, &'a [i128], &'a [i128])>> + Clone,
-    ) -> Option<Self> {
+    pub fn products(terms: &[(i128, &[i128], &[i128])]) -> Option<Self> {
         let (mut longest, mut length, mut count) = (0, 0, 0_usize);
-        for term in terms.clone() {
-            let (factor, left, right) = term?;
+        for &(factor, left, right) in terms {
             longest = longest.max(bits(left) + bits(right) + growth(factor));
             length = length.max(left.len() + right.len() - 1);
             count += left.len().min(right.len());
@@ -97,7 +109,7 @@ impl MachineList {
             return None;
         }
         let mut sums = vec![0_i128; length];
-        for (factor, left, right) in terms.flatten() {
+        for &(factor, left, right) in terms {
             // −2⁶³ · −1 is no word.
             let first = bits(left) + growth(factor) + 1;
             let are_words = first < i64::BITS && bits(right) < i64::BITS;
@@ -218,8 +230,7 @@ impl MachineList {
     /// m and the integers 0, m a₀, m a₁ / 2, m a₂ / 3, …: the coefficients of an antiderivative.
     #[must_use]
     pub fn antiderivative(list: &[i128]) -> Option<(Self, i128)> {
-        let powers = 1..=i128::try_from(list.len()).ok()?;
-        let common = powers.into_iter().try_fold(1, lcm)?;
+        let common = *COMMON_MULTIPLES.get(list.len())?;
         if bits(list) + bits(&[common]) > DIGITS {
             return None;
         }
@@ -318,10 +329,11 @@ fn lcm(left: i128, right: i128) -> Option<i128> {
     Some(left * factor)
 }
 
-/// A number that is known to be a word.
+/// A number that is known to be a word: the lower half of its digits.
 #[inline]
 fn word(own: i128) -> i64 {
-    i64::try_from(own).unwrap_or_default()
+    let half = own.cast_unsigned() & u128::from(u64::MAX);
+    u64::try_from(half).unwrap_or_default().cast_signed()
 }
 
 #[cfg(test)]
@@ -447,9 +459,7 @@ mod tests {
                 &lists[(index + 40) % lists.len()],
             ];
             let terms = [(factor, list, others[0]), (1, others[1], list)];
-            let machine = terms
-                .iter()
-                .map(|(factor, left, right)| Some((*factor, &left[..], &right[..])));
+            let machine = terms.map(|(factor, left, right)| (factor, &left[..], &right[..]));
             let length = |left: &[i128], right: &[i128]| left.len() + right.len() - 1;
             let count = length(list, others[0]).max(length(list, others[1]));
             let mut exact = vec![Integer::from(0); count];
@@ -461,7 +471,7 @@ mod tests {
                     }
                 }
             }
-            let sums = MachineList::products(machine);
+            let sums = MachineList::products(&machine);
             let longest = bits(list) + bits(others[0]) + growth(factor);
             let longest = longest.max(bits(list) + bits(others[1]));
             match sums {

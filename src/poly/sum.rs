@@ -23,21 +23,20 @@ impl<F: Field> UniPoly<F> {
     #[must_use]
     pub fn sum_of_products(terms: &[(i64, &Self, &Self)]) -> Self {
         let in_machine_numbers = || {
-            let nonzero =
-                |(_, left, right): &&(i64, &Self, &Self)| !left.is_zero() && !right.is_zero();
-            let terms = terms.iter().filter(nonzero);
-            let below =
-                |(_, left, right): &(i64, &Self, &Self)| left.denominator() * right.denominator();
-            let common = terms
-                .clone()
-                .map(below)
-                .reduce(|all, own| lcm(&all, &own))?;
-            let products = terms.map(|term| {
-                let (factor, left, right) = term;
-                let factor = Integer::from(*factor) * (&common / below(term));
-                Some((factor.machine()?, left.machine()?, right.machine()?))
+            let mut common = Integer::one();
+            let mut products = Vec::with_capacity(terms.len());
+            for (factor, left, right) in terms {
+                let below = left.denominator() * right.denominator();
+                if !left.is_zero() && !right.is_zero() {
+                    common = lcm(&common, &below);
+                    let (left, right) = (left.machine()?, right.machine()?);
+                    products.push((Integer::from(*factor), below, left, right));
+                }
+            }
+            let products = products.into_iter().map(|(factor, below, left, right)| {
+                Some(((factor * (&common / below)).machine()?, left, right))
             });
-            let sums = MachineList::products(products)?;
+            let sums = MachineList::products(&products.collect::<Option<Vec<_>>>()?)?;
             Some(Self::lowest(sums.trimmed().into(), common))
         };
         in_machine_numbers().unwrap_or_else(|| {
