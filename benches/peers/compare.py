@@ -56,8 +56,9 @@ def measured(name, arguments, in_c):
                 if own["agrees"] is False:
                     sys.exit(f"{own['id']}: not what is expected")
                 times.add(own["id"], "sweepc", own["total_us"] / 1e6, own["hash"])
-                algebra = own["without_lower_us"] / 1e6
-                times.add(own["id"], "without lower", algebra, own["hash"])
+                for program in ("same work", "without lower"):
+                    seconds = own[program.replace(" ", "_") + "_us"] / 1e6
+                    times.add(own["id"], program, seconds, own["hash"])
         for own in lines([*peers, *flint, *in_c]) + lines([*peers, *sympy]):
             times.add(own["id"], own["program"], own["seconds"], own["hash"])
     for own in times.seconds.values():
@@ -90,21 +91,22 @@ def mean(values):
 
 
 def report(name, seconds, quiet):
-    """The ratios, for each peer with and without the reading of the text's tree."""
-    print(f"{name}: time of a peer / time of sweepc (and without `lower`)")
+    """The ratios: for each peer of the same work, from the text's tree, and from the surface."""
+    print(f"{name}: time of a peer / time of sweepc from numbers (from the text; from the surface)")
     print(f"{'':<28}" + "".join(f"{title:>26}" for title in PEERS.values()))
-    ratios = {peer: ([], []) for peer in PEERS}
+    ratios = {peer: ([], [], []) for peer in PEERS}
     for case, own in seconds.items():
         cells = []
         for peer in PEERS:
-            pair = [own[peer] / own[base] for base in ("sweepc", "without lower")] if peer in own else []
-            for values, ratio in zip(ratios[peer], pair):
+            times = [own[base] for base in ("same work", "sweepc", "without lower")]
+            three = [own[peer] / time for time in times] if peer in own else []
+            for values, ratio in zip(ratios[peer], three):
                 values.append(ratio)
-            cells.append("{:.2f} ({:.2f})".format(*pair) if pair else "–")
+            cells.append("{:.2f} ({:.2f}; {:.2f})".format(*three) if three else "–")
         if not quiet:
             print(f"{case:<28}" + "".join(f"{cell:>26}" for cell in cells))
     means = {peer: [mean(values) for values in own] for peer, own in ratios.items()}
-    cells = ["{:.2f} ({:.2f})".format(*own) if ratios[peer][0] else "–" for peer, own in means.items()]
+    cells = ["{:.2f} ({:.2f}; {:.2f})".format(*own) if ratios[peer][0] else "–" for peer, own in means.items()]
     print(f"{f'geometric mean of {len(seconds)}':<28}" + "".join(f"{cell:>26}" for cell in cells))
     counts = "; ".join(f"{PEERS[peer]} {len(own[0])}" for peer, own in ratios.items())
     print(f"cases: {counts}. All doubles equal\n", flush=True)

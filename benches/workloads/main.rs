@@ -6,6 +6,7 @@
     reason = "a program whose results are times"
 )]
 
+mod curves;
 mod grid;
 mod record;
 mod summary;
@@ -109,7 +110,7 @@ fn sweeps(arguments: &Arguments) -> Fallible<()> {
     for record in records.take(arguments.first.unwrap_or(usize::MAX)) {
         let case = Case::measure(record, samples);
         let expected = record.expected.as_ref().or(expected.get(&record.id));
-        summary.add(&record.id, record.m, case.total, case.without_lower);
+        summary.add(&record.id, record.m, case.times());
         different += u32::from(case.agrees(expected) == Some(false));
         println!("{}", case.line(record, expected, arguments.json));
     }
@@ -126,11 +127,16 @@ fn read<T: serde::de::DeserializeOwned>(path: &Path) -> Fallible<T> {
     Ok(serde_json::from_str(&text)?)
 }
 
+/// The steps of a compilation, and the curves alone.
+type Run = ([Duration; STEPS.len()], Duration);
+
 /// A compiled record with its median times.
 struct Case {
     outcome: Outcome,
     steps: [Duration; STEPS.len()],
     total: Duration,
+    /// From the numbers in memory on, as peers are timed: the curves instead of `lower`.
+    same_work: Duration,
     /// From the surface in memory on: without names, types, the numbers and the curves of the text.
     without_lower: Duration,
 }
@@ -139,21 +145,29 @@ impl Case {
     fn measure(record: &Record, samples: usize) -> Self {
         let parsed = Parsed::new(record);
         let outcome = parsed.compile();
-        let mut runs: Vec<_> = (0..samples).map(|_| parsed.compile().times).collect();
+        let run = |_| (parsed.compile().times, parsed.curves());
+        let mut runs: Vec<_> = (0..samples).map(run).collect();
         if runs.is_empty() {
-            runs.push(outcome.times);
+            runs.push((outcome.times, Duration::ZERO));
         }
-        let median = |time: &dyn Fn(&[Duration; STEPS.len()]) -> Duration| {
+        let algebra = |run: &Run| run.0[1..].iter().sum::<Duration>();
+        let median = |time: &dyn Fn(&Run) -> Duration| {
             let mut own: Vec<Duration> = runs.iter().map(time).collect();
             own.sort();
             own[own.len() / 2]
         };
         Self {
             outcome,
-            steps: std::array::from_fn(|step| median(&|run| run[step])),
-            total: median(&|run| run.iter().sum()),
-            without_lower: median(&|run| run[1..].iter().sum()),
+            steps: std::array::from_fn(|step| median(&|run| run.0[step])),
+            total: median(&|run| run.0.iter().sum()),
+            same_work: median(&|run| run.1 + algebra(run)),
+            without_lower: median(&algebra),
         }
+    }
+
+    /// The total, that of the same work, and that without `lower`.
+    fn times(&self) -> [Duration; 3] {
+        [self.total, self.same_work, self.without_lower]
     }
 
     fn agrees(&self, expected: Option<&Expected>) -> Option<bool> {
@@ -173,6 +187,7 @@ impl Case {
                 "bidegree": outcome.bidegree, "common_factor": outcome.common_factor,
                 "expected_common_factor": expected.map(|own| own.common_factor),
                 "median_us": steps, "total_us": micros(self.total),
+                "same_work_us": micros(self.same_work),
                 "without_lower_us": micros(self.without_lower),
             })
             .to_string();
@@ -197,7 +212,7 @@ impl Case {
 
 /// The geometric means, and the growth in m.
 fn conclusion(summary: &Summary, different: u32, json: bool) -> String {
-    let (cases, [total, without_lower]) = (summary.cases(), summary.means());
+    let (cases, [total, same_work, without_lower]) = (summary.cases(), summary.means());
     let growths = summary.growths();
     if json {
         let growths: Vec<_> = growths
@@ -210,12 +225,14 @@ fn conclusion(summary: &Summary, different: u32, json: bool) -> String {
             .collect();
         return json!({
             "cases": cases, "different": different, "geometric_mean_us": total,
+            "geometric_mean_same_work_us": same_work,
             "geometric_mean_without_lower_us": without_lower, "growth": growths,
         })
         .to_string();
     }
-    let mut text =
-        format!("{cases} cases, geometric mean {total:.1} µs, without lower {without_lower:.1} µs");
+    let mut text = format!(
+        "{cases} cases, geometric mean {total:.1} µs, from numbers in memory {same_work:.1} µs, without lower {without_lower:.1} µs"
+    );
     for own in growths {
         text += &format!(
             "\n{:<28} time ~ m^{:.2} from m = {} to {}",

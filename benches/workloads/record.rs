@@ -5,14 +5,17 @@ use std::collections::HashMap;
 use std::time::{Duration, Instant};
 
 use serde::Deserialize;
+use sweepc::curve::Property;
 use sweepc::diag::{Diagnostics, Limits, SourceMap};
 use sweepc::export::{Double, RoundedNet};
 use sweepc::net::ControlNet;
-use sweepc::number::Real;
+use sweepc::number::{Real, Tower};
 use sweepc::poly::{BiDegree, UniPoly, from_bernstein};
 use sweepc::sema;
 use sweepc::sweep::{Expansion, Step};
 use sweepc::syntax::ast::Document;
+
+use crate::curves::{Curves, Sweep};
 
 const LIBRARY: &str = include_str!("../../src/std/constructions.sweep");
 
@@ -102,21 +105,65 @@ impl Record {
                 pairs.join(", ")
             );
         }
+        let written = |own: &Vec<Real>| {
+            let own: Vec<String> = own.iter().map(ToString::to_string).collect();
+            polynomial(&own, "v")
+        };
+        let [x, y] = self.coordinates();
+        format!("({}, {})", written(&x), written(&y))
+    }
+
+    /// Power coefficients of the curve with the hodograph h w².
+    fn coordinates(&self) -> [Vec<Real>; 2] {
         let part = |index: usize| {
-            let own: Vec<Real> = self.w.iter().map(|pair| pair[index].rational()).collect();
+            let own: Vec<Real> = self.w.iter().map(|pair| pair[index].real(&[])).collect();
             from_bernstein(&own, &0.into(), &1.into())
         };
         let (re, im) = (part(0), part(1));
         let h =
             UniPoly::from_coefficients(&self.h.iter().map(|own| number(own)).collect::<Vec<_>>());
         let slopes = [&(&re * &re) - &(&im * &im), (&re * &im).scale(&2.into())];
-        let coordinate = |slope: &UniPoly<Real>, start: &str| {
-            let own = &(slope * &h).antiderivative() + &UniPoly::constant(&number(start));
-            let own: Vec<String> = own.coefficients().iter().map(ToString::to_string).collect();
-            polynomial(&own, "v")
+        let [x, y] = &self.s0;
+        [(&slopes[0], x), (&slopes[1], y)].map(|(slope, start)| {
+            let own = (slope * &h).antiderivative_from(&0.into(), &number(start));
+            own.coefficients()
+        })
+    }
+
+    /// The numbers of the curves, and what the formula asks of them.
+    fn curves(&self) -> Curves {
+        let Profile { x, z, d } = &self.profile;
+        let numbers = |own: &Vec<String>| own.iter().map(|own| number(own)).collect();
+        let tower = Tower::default();
+        let root = |own: &u32| tower.square_root(&Real::from(i64::from(*own)));
+        let roots: Result<Vec<Real>, _> = self.field.iter().map(root).collect();
+        let roots = roots.unwrap_or_else(|own| unreachable!("{own:?}"));
+        let sweep = if self.h.is_empty() {
+            let pairs = self.w.iter();
+            let pairs = pairs.map(|pair| pair.iter().map(|own| own.real(&roots)).collect());
+            Sweep::of_preimage(self.s0.each_ref().map(|own| number(own)), pairs.collect())
+        } else {
+            Sweep::Coordinates(self.coordinates())
         };
-        let [x, y] = &slopes;
-        format!("({}, {})", coordinate(x, start_x), coordinate(y, start_y))
+        let properties: Vec<fn(_) -> _> = match self.kind.as_str() {
+            "oriented" | "offset" => vec![Property::Position, Property::Normal],
+            "involute" => vec![
+                Property::Position,
+                |_| Property::ArcLength,
+                Property::Tangent,
+            ],
+            _ => vec![
+                Property::Position,
+                |_| Property::ArcLength,
+                Property::Normal,
+            ],
+        };
+        Curves {
+            tower,
+            sweep,
+            profile: [numbers(x), numbers(z), numbers(d)],
+            properties,
+        }
     }
 }
 
@@ -143,11 +190,18 @@ impl Coefficient {
         }
     }
 
-    fn rational(&self) -> Real {
-        match self {
-            Self::Rational(own) => number(own),
-            Self::Components(own) => number(&own[0]),
-        }
+    /// The number, with the square roots of the field.
+    fn real(&self, roots: &[Real]) -> Real {
+        let own = match self {
+            Self::Rational(own) => return number(own),
+            Self::Components(own) => own,
+        };
+        let terms = own.iter().enumerate().map(|(index, own)| {
+            let roots = roots.iter().enumerate();
+            let roots = roots.filter(|(bit, _)| index >> bit & 1 == 1);
+            roots.fold(number(own), |product, (_, own)| &product * own)
+        });
+        terms.fold(Real::from(0), |sum, own| &sum + &own)
     }
 }
 
@@ -169,6 +223,7 @@ fn polynomial(coefficients: &[String], variable: &str) -> String {
 
 /// A parsed record, ready to be compiled any number of times.
 pub(crate) struct Parsed {
+    curves: Curves,
     map: SourceMap,
     document: Document,
     library: sema::Library,
@@ -226,11 +281,17 @@ impl Parsed {
         let library = sweepc::syntax::parse(file, LIBRARY, &limits, &mut found);
         assert!(!found.has_errors(), "{text}\n{found:?}");
         Self {
+            curves: record.curves(),
             map,
             document,
             library: sema::Library::new(library),
             limits,
         }
+    }
+
+    /// How long the curves alone take.
+    pub(crate) fn curves(&self) -> Duration {
+        self.curves.measure()
     }
 
     /// From the tree to the doubles.

@@ -10,8 +10,8 @@ const GROWING_FROM: usize = 4;
 #[derive(Default)]
 pub(crate) struct Summary {
     count: u32,
-    total: f64,
-    without_lower: f64,
+    /// Sums of the logarithms of the times.
+    logarithms: [f64; 3],
     /// (m, ln time) of the cases of one kind and one k.
     growth: BTreeMap<String, Vec<(usize, f64)>>,
 }
@@ -25,16 +25,17 @@ pub(crate) struct Growth {
 }
 
 impl Summary {
-    /// Takes the total time of a case, and the same without what comes before the surface is known.
-    pub(crate) fn add(&mut self, id: &str, m: usize, total: Duration, without_lower: Duration) {
-        let [total, without_lower] = [total, without_lower].map(|own| own.as_secs_f64().ln());
+    /// Takes the total time of a case, that from its numbers on, and that from its surface on.
+    pub(crate) fn add(&mut self, id: &str, m: usize, times: [Duration; 3]) {
+        let logarithms = times.map(|own| own.as_secs_f64().ln());
         self.count += 1;
-        self.total += total;
-        self.without_lower += without_lower;
+        for (sum, own) in self.logarithms.iter_mut().zip(logarithms) {
+            *sum += own;
+        }
         if m >= GROWING_FROM {
             let group = id.replace(&format!("-m{m}-"), "-");
             let points = self.growth.entry(group).or_default();
-            points.push((m, total));
+            points.push((m, logarithms[0]));
         }
     }
 
@@ -42,10 +43,10 @@ impl Summary {
         self.count
     }
 
-    /// The geometric means in microseconds: of the totals, and of the totals without `lower`.
-    pub(crate) fn means(&self) -> [f64; 2] {
+    /// The geometric means in microseconds, in the order in which they came.
+    pub(crate) fn means(&self) -> [f64; 3] {
         let count = f64::from(self.count.max(1));
-        [self.total, self.without_lower].map(|own| (own / count).exp() * 1e6)
+        self.logarithms.map(|own| (own / count).exp() * 1e6)
     }
 
     /// The slopes of ln time over ln m by least squares, for groups with at least three m.
