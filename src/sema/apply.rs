@@ -263,8 +263,8 @@ impl<'a> Lowerer<'a> {
         parenthesis: Span,
         scope: &Scope<'a>,
     ) -> Lowered<Scalar> {
-        let [only] = self.arguments::<1>(name, arguments, parenthesis, scope)?;
-        Ok(only)
+        self.check_arguments(name, 1, arguments, parenthesis, scope)?;
+        self.scalar(&arguments[0].value, scope)
     }
 
     /// Exactly so many scalar arguments.

@@ -332,14 +332,14 @@ impl<'a> Lowerer<'a> {
 
     /// The only curve of a role in a file, or else among all files; none if there are several.
     pub(super) fn only_curve(&self, role: Role, file: FileId) -> Result<&'a Name, usize> {
-        let of_role = |definition: &&Definition<'a>| matches!(definition.form, DefinitionForm::Curve { role: own, .. } if own == role);
-        let all: Vec<_> = self.definitions.of_files().filter(of_role).collect();
-        let here: Vec<_> = all.iter().filter(|own| own.span().file == file).collect();
-        match (here.as_slice(), all.as_slice()) {
-            ([only], _) => Ok(only.name),
-            ([], [only]) => Ok(only.name),
-            _ => Err(all.len()),
-        }
+        let of_role = |own: &&Definition<'a>| matches!(own.form, DefinitionForm::Curve { role: own, .. } if own == role);
+        let all = || self.definitions.of_files().filter(of_role);
+        let here = || all().filter(|own| own.span().file == file);
+        let found = match here().next() {
+            Some(_) => sole(here()),
+            None => sole(all()),
+        };
+        found.map(|own| own.name).ok_or_else(|| all().count())
     }
 
     /// The names of the curves of a role, in the order of the text.
@@ -462,6 +462,12 @@ impl<'a> Lowerer<'a> {
         }
         self.report(finding)
     }
+}
+
+/// The only one.
+fn sole<T>(mut all: impl Iterator<Item = T>) -> Option<T> {
+    let first = all.next()?;
+    all.next().is_none().then_some(first)
 }
 
 /// u or v, by name.

@@ -101,8 +101,6 @@ impl<'a> Lowerer<'a> {
         scope: &Scope<'a>,
     ) -> Lowered<Value> {
         let at = self.argument(&function.name, arguments, parenthesis, scope)?;
-        let text = self.sources.map.slice(function.span).to_owned();
-        let qualified = |curve: &str| format!("`{curve}.{text}(…)`");
         if scope.frame.is_some() {
             return Err(self.report_bare_inside(function, &at, scope));
         }
@@ -112,19 +110,35 @@ impl<'a> Lowerer<'a> {
             (true, true) => return Err(self.report_unnamed(function, "depends on u and v", span)),
             (false, false) => return Err(self.report_unnamed(function, "is constant", span)),
         };
-        let what = if role == Role::Profile {
-            "profile"
-        } else {
-            "sweep curve"
-        };
         match self.only_curve(role, span.file) {
             Ok(name) => {
                 let curve = self.curve_named(name, scope)?;
                 self.property(&curve, function, at, span, scope)
             }
+            Err(count) => Err(self.report_ambiguous(function, role, count, &at, scope)),
+        }
+    }
+
+    /// E0105 where not one curve of a role is declared, but so many.
+    fn report_ambiguous(
+        &mut self,
+        function: &Reference,
+        role: Role,
+        count: usize,
+        at: &Scalar,
+        scope: &Scope<'_>,
+    ) -> Reported {
+        let text = self.sources.map.slice(function.span).to_owned();
+        let qualified = |curve: &str| format!("`{curve}.{text}(…)`");
+        let what = if role == Role::Profile {
+            "profile"
+        } else {
+            "sweep curve"
+        };
+        match count {
             // the curve that is meant may be one that could not be read
-            Err(_) if self.lacks_import || self.broken_roles.contains(&role) => Err(Reported),
-            Err(0) => {
+            _ if self.lacks_import || self.broken_roles.contains(&role) => Reported,
+            0 => {
                 let message = format!("`{text}` needs a {what}, and the file has none");
                 let finding = self.finding(scope, Code::E0105, function.span, message);
                 let curves = self.curves_in(|own| at.depends_on(own));
@@ -140,14 +154,14 @@ impl<'a> Lowerer<'a> {
                         finding.help(format!("name the curve: {}", choice(several, qualified)))
                     }
                 };
-                Err(self.report(finding))
+                self.report(finding)
             }
-            Err(count) => {
+            _ => {
                 let all = choice(&self.curves_of(role), qualified);
                 let message =
                     format!("the file has {count} {what}s: `{text}` must be named by its curve");
                 let finding = self.finding(scope, Code::E0105, function.span, message);
-                Err(self.report(finding.help(format!("write {all}"))))
+                self.report(finding.help(format!("write {all}")))
             }
         }
     }
