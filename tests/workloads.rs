@@ -1,6 +1,8 @@
 //! The doubles of the workloads are those that three other programs agree on.
 #![allow(missing_docs, reason = "tests state facts")]
 
+#[path = "../benches/workloads/curves.rs"]
+mod curves;
 #[path = "../benches/workloads/record.rs"]
 mod record;
 
@@ -13,7 +15,8 @@ fn agrees(text: &str, greatest: usize) -> usize {
     let set = set.unwrap_or_else(|own| unreachable!("{own}"));
     let mut count = 0;
     for record in set.cases.iter().filter(|own| own.m <= greatest) {
-        let outcome = Parsed::new(record).compile();
+        let parsed = Parsed::new(record);
+        let outcome = parsed.compile();
         let Some(expected) = &record.expected else {
             unreachable!("{} has no expectation", record.id);
         };
@@ -27,7 +30,9 @@ fn agrees(text: &str, greatest: usize) -> usize {
                 record.id
             );
         }
-        assert!(outcome.times.iter().all(|own| own.as_secs() < 60));
+        let curves = parsed.curves(&outcome);
+        let mut times = outcome.times.iter().chain([&curves]);
+        assert!(times.all(|own| own.as_secs() < 60));
         count += 1;
     }
     count

@@ -145,7 +145,7 @@ impl Case {
     fn measure(record: &Record, samples: usize) -> Self {
         let parsed = Parsed::new(record);
         let outcome = parsed.compile();
-        let run = |_| (parsed.compile().times, parsed.curves());
+        let run = |_| (parsed.compile().times, parsed.curves(&outcome));
         let mut runs: Vec<_> = (0..samples).map(run).collect();
         if runs.is_empty() {
             runs.push((outcome.times, Duration::ZERO));

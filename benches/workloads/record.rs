@@ -2,10 +2,11 @@
 //! `compile` calls.
 
 use std::collections::HashMap;
+use std::rc::Rc;
 use std::time::{Duration, Instant};
 
 use serde::Deserialize;
-use sweepc::curve::Property;
+use sweepc::curve::{Curve, Property};
 use sweepc::diag::{Diagnostics, Limits, SourceMap};
 use sweepc::export::{Double, RoundedNet};
 use sweepc::net::ControlNet;
@@ -236,6 +237,8 @@ pub(crate) struct Outcome {
     pub(crate) common_factor: [usize; 2],
     pub(crate) hash: String,
     pub(crate) net: ControlNet,
+    /// The profile and the sweep curve.
+    pub(crate) curves: Vec<Rc<Curve>>,
     /// In the order of [`STEPS`].
     pub(crate) times: [Duration; STEPS.len()],
 }
@@ -290,8 +293,15 @@ impl Parsed {
     }
 
     /// How long the curves alone take.
-    pub(crate) fn curves(&self) -> Duration {
-        self.curves.measure()
+    ///
+    /// # Panics
+    ///
+    /// If they are not those that were compiled.
+    pub(crate) fn curves(&self, outcome: &Outcome) -> Duration {
+        let (time, curves) = self.curves.measure();
+        let compiled = outcome.curves.iter().map(|own| own.position());
+        assert!(curves.iter().map(Curve::position).eq(compiled));
+        time
     }
 
     /// From the tree to the doubles.
@@ -336,6 +346,7 @@ impl Parsed {
             common_factor: expansion.common_factor.bidegree().map_or([0, 0], pair),
             hash: hash(&rounded),
             net,
+            curves: program.curves,
             times: watch.times,
         }
     }
