@@ -1,9 +1,5 @@
-use std::collections::{BTreeMap, BTreeSet};
-
 use crate::diag::Span;
 use crate::syntax::ast::{Declaration, Expr, Interval, Name, Plane, Role};
-
-use super::library::Library;
 
 /// What a name stands for, as it is declared.
 #[derive(Debug, Clone, Copy)]
@@ -45,6 +41,10 @@ impl Definition<'_> {
     pub(super) fn span(&self) -> Span {
         self.name.span
     }
+
+    pub(super) fn is_curve(&self, of: Role) -> bool {
+        matches!(self.form, DefinitionForm::Curve { role, .. } if role == of)
+    }
 }
 
 /// What a declaration gives a name; none if it names nothing.
@@ -71,49 +71,4 @@ pub(super) fn definition_of(declaration: &Declaration) -> Option<Definition<'_>>
         D::Expect { .. } | D::Import { .. } | D::Unit { .. } => return None,
     };
     Some(Definition { name, form })
-}
-
-/// What is declared by name: in the files, and in the standard library where they do not replace it.
-pub(super) struct Definitions<'a> {
-    library: &'a Library,
-    own: BTreeMap<&'a str, Definition<'a>>,
-}
-
-impl<'a> Definitions<'a> {
-    pub(super) fn new(library: &'a Library) -> Self {
-        Self {
-            library,
-            own: BTreeMap::new(),
-        }
-    }
-
-    /// Declares a name of a file.
-    pub(super) fn insert(&mut self, definition: Definition<'a>) {
-        self.own.insert(&definition.name.text, definition);
-    }
-
-    pub(super) fn get(&self, name: &str) -> Option<Definition<'a>> {
-        let own = self.own.get(name).copied();
-        own.or_else(|| self.library.get(name))
-    }
-
-    pub(super) fn contains(&self, name: &str) -> bool {
-        self.get(name).is_some()
-    }
-
-    /// The definitions of the files, by name.
-    pub(super) fn of_files(&self) -> impl Iterator<Item = &Definition<'a>> {
-        self.own.values()
-    }
-
-    /// What a file declares by a name.
-    pub(super) fn of_file(&self, name: &str) -> Option<&Definition<'a>> {
-        self.own.get(name)
-    }
-
-    /// All names, in order.
-    pub(super) fn names(&self) -> BTreeSet<&'a str> {
-        let own = self.own.keys().copied();
-        own.chain(self.library.names()).collect()
-    }
 }

@@ -8,7 +8,8 @@ use crate::sweep::{Scalar, SweptSurface};
 use crate::syntax::ast::{Declaration, Document, Expr, Item, Name, Role};
 
 use super::Program;
-use super::definition::{Definition, DefinitionForm, Definitions, definition_of};
+use super::definition::{Definition, DefinitionForm, definition_of};
+use super::definitions::Definitions;
 use super::library::Library;
 use super::scope::{Function, Scope};
 use super::spelling;
@@ -332,8 +333,7 @@ impl<'a> Lowerer<'a> {
 
     /// The only curve of a role in a file, or else among all files; none if there are several.
     pub(super) fn only_curve(&self, role: Role, file: FileId) -> Result<&'a Name, usize> {
-        let of_role = |own: &&Definition<'a>| matches!(own.form, DefinitionForm::Curve { role: own, .. } if own == role);
-        let all = || self.definitions.of_files().filter(of_role);
+        let all = || self.definitions.of_files().filter(|own| own.is_curve(role));
         let here = || all().filter(|own| own.span().file == file);
         let found = match here().next() {
             Some(_) => sole(here()),
@@ -344,13 +344,8 @@ impl<'a> Lowerer<'a> {
 
     /// The names of the curves of a role, in the order of the text.
     pub(super) fn curves_of(&self, role: Role) -> Vec<&'a Name> {
-        let of_role = |definition: &&Definition<'a>| matches!(definition.form, DefinitionForm::Curve { role: own, .. } if own == role);
-        let mut names: Vec<_> = self
-            .definitions
-            .of_files()
-            .filter(of_role)
-            .map(|own| own.name)
-            .collect();
+        let curves = self.definitions.of_files().filter(|own| own.is_curve(role));
+        let mut names: Vec<_> = curves.map(|own| own.name).collect();
         names.sort_by_key(|own| own.span);
         names
     }

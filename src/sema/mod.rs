@@ -10,6 +10,7 @@ mod call;
 mod constructor;
 mod curve;
 mod definition;
+mod definitions;
 mod expectation;
 mod expression;
 mod joined;

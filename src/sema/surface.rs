@@ -84,8 +84,7 @@ impl<'a> Lowerer<'a> {
                 Parameter::V => Role::Sweep,
             };
             let definition = self.definitions.get(curve.name());
-            curve.parameter() == parameter
-                && definition.is_some_and(|own| matches!(own.form, DefinitionForm::Curve { role: own, .. } if own == role))
+            curve.parameter() == parameter && definition.is_some_and(|own| own.is_curve(role))
         };
         let chosen: Vec<&Rc<Curve>> = used.iter().filter(leading).copied().collect();
         let chosen = if chosen.is_empty() { used } else { chosen };
