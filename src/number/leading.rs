@@ -17,6 +17,9 @@ pub struct Leading {
     exponent: i64,
 }
 
+/// Products and inverses are bounded for errors below this; with a greater one no double is decided.
+const LIMIT: u64 = 1 << 60;
+
 impl Leading {
     /// The binary digits of a mantissa; all but 64 of them are sure.
     pub const DIGITS: u32 = 124;
@@ -127,22 +130,29 @@ impl Leading {
         )
     }
 
-    /// a b
+    /// Itself, if enough digits are sure for a product or an inverse.
+    #[inline]
+    fn sure(self) -> Option<Self> {
+        (self.error < LIMIT).then_some(self)
+    }
+
+    /// a b; none where few digits are sure
     ///
-    /// |(m ± e)(n ± f) − mn| ≤ |m| f + |n| e + e f < (e + f + 1) 2¹²⁴, and 2¹²³ or 2¹²⁴ are a unit,
-    /// of which one more is dropped.
+    /// |(m ± e)(n ± f) − mn| ≤ |m| f + |n| e + e f < (e + f + 1) 2¹²⁴, as e f ≤ 2¹²⁰, and 2¹²³ or 2¹²⁴
+    /// are a unit, of which one more is dropped.
     #[must_use]
     #[inline]
     pub fn times(self, other: Self) -> Option<Self> {
+        self.sure().and(other.sure())?;
         let (left, right) = (self.mantissa.unsigned_abs(), other.mantissa.unsigned_abs());
         let exponent = self.exponent.checked_add(other.exponent)?;
-        let error = self.error.checked_add(other.error)?.checked_add(1)?;
+        let error = self.error + other.error + 1;
         // m n / 2¹²³
         let size = high_product(left << 4, right << 1);
         let (size, error, exponent) = if size >> Self::DIGITS == 0 {
-            (size, error.checked_mul(2)?.checked_add(1)?, exponent + 123)
+            (size, 2 * error + 1, exponent + 123)
         } else {
-            (size >> 1, error.checked_add(1)?, exponent + 124)
+            (size >> 1, error + 1, exponent + 124)
         };
         if size == 0 {
             return Some(Self::zero());
@@ -181,6 +191,7 @@ impl Leading {
             if left == 0 || right == 0 {
                 continue;
             }
+            a.sure().and(b.sure())?;
             let below = top.abs_diff(a.exponent + b.exponent);
             let shift = u32::try_from(below)
                 .unwrap_or(u32::MAX)
@@ -194,30 +205,30 @@ impl Leading {
             } else {
                 -size
             };
-            let own = a.error.checked_add(b.error)?.checked_add(2)?;
-            let own = own.checked_shr(shift).unwrap_or_default();
+            let own = (a.error + b.error + 2).checked_shr(shift);
+            let own = own.unwrap_or_default();
             error = error.checked_add(own)?.checked_add(2)?;
         }
         let exponent = top.checked_add(i64::from(Self::DIGITS + guard))?;
         Self::normal(sum, error, exponent)
     }
 
-    /// 1/a; none for 0
+    /// 1/a; none for 0, and where few digits are sure
     ///
     /// Newton's step from q = ⌊(2¹²⁷ − 1)/d⌋, where d are the leading 64 digits of m: with
     /// t = 2¹⁸⁷ − m q, r = 2⁶⁰q + qt/2¹²⁷ differs from 2²⁴⁷/m by (2²⁴⁷/m) (t/2¹⁸⁷)² < 1, as |t| is
-    /// at most 2¹²⁴ + 2⁶¹; what is dropped is 1¼ at most. An error e of m is one of less than
-    /// 2e + 1 in 2²⁴⁷/m.
+    /// at most 2¹²⁴ + 2⁶¹; what is dropped is 1¼ at most. An error e < 2⁶⁰ of m ≥ 2¹²³ is
+    /// one of e/(m − e) 2²⁴⁷/m < 2e + 1.
     #[must_use]
     pub fn inverse(self) -> Option<Self> {
-        let size = self.mantissa.unsigned_abs();
+        let size = self.sure()?.mantissa.unsigned_abs();
         let guess = ((1 << 127) - 1_u128).checked_div(size >> 60)?;
         let rest = size.wrapping_mul(guess).wrapping_neg().cast_signed();
         let guess = i128::try_from(guess).ok()?;
         let inverse = (guess << 60) + (((rest >> 61) * guess) >> 66);
         Self::normal(
             if self.mantissa < 0 { -inverse } else { inverse },
-            self.error.checked_mul(2)?.checked_add(4)?,
+            2 * self.error + 4,
             self.exponent.checked_neg()?.checked_sub(247)?,
         )
     }
@@ -238,7 +249,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::number::{Field, Real, SurdInteger, Tower};
+    use crate::number::{Field, Rational, Real, SurdInteger, Tower};
 
     /// (m ± e) 2ᵏ holds a number, by enclosures that do not know of leading digits.
     fn holds(leading: Leading, number: &SurdInteger) -> bool {
@@ -319,9 +330,11 @@ mod tests {
             if let (Some(left), Some(right)) = (one.leading(), other.leading()) {
                 let inverse = left.inverse();
                 prop_assert!(inverse.is_none_or(|own| inverts(own, &one)));
-                prop_assert_eq!(inverse.is_none(), one.sign().is_eq());
+                let sure = [left, right].map(|own| own.error < LIMIT);
+                prop_assert_eq!(inverse.is_some(), sure[0] && one.sign().is_ne());
                 let product = left.times(right);
-                prop_assert!(product.is_some_and(|own| holds(own, &one.times(&other))));
+                prop_assert!(product.is_none_or(|own| holds(own, &one.times(&other))));
+                prop_assert_eq!(product.is_some(), sure[0] && sure[1]);
                 let sum = left.plus(right);
                 prop_assert!(sum.is_none_or(|own| holds(own, &one.plus(&other))));
             }
@@ -343,8 +356,78 @@ mod tests {
             prop_assert!(sum.is_none_or(|own| holds(own, &exact)), "{exact} {sum:?}");
             let first = pairs[0].0.scaled(&pairs[0].1);
             let alone = Leading::sum_of_products(known.iter().copied().take(1));
-            prop_assert!(alone.is_some_and(|own| holds(own, &first)), "{first}");
+            prop_assert!(alone.is_none_or(|own| holds(own, &first)), "{first}");
+            let (one, other) = known[0];
+            let known = one.times(other).is_some() || first.is_zero();
+            prop_assert_eq!(alone.is_some(), known);
         }
+    }
+
+    /// Both ends of the interval of a positive number.
+    fn ends(own: Leading) -> [Rational; 2] {
+        let (size, error, exponent) = own.parts();
+        let power = Rational::from(2).power(exponent);
+        let end =
+            |size: Integer| Rational::from(size).times(power.as_ref().unwrap_or(&Rational::zero()));
+        [Integer::from(size) - error, Integer::from(size) + error].map(end)
+    }
+
+    /// Positive numbers of all sizes of m and e.
+    fn intervals() -> Vec<Leading> {
+        let least = 1_i128 << 123;
+        let mantissas = [least, least + 1, least / 2 * 3 + 12_345, 2 * least - 1];
+        let near = [1, 4, 16, 40, 59, 60, 62, 63].map(|power| 1_u64 << power);
+        let near = near.into_iter().flat_map(|own| [own - 1, own, own + 1]);
+        let errors: Vec<u64> = near.chain([0]).collect();
+        let pairs = mantissas.into_iter().flat_map(|mantissa| {
+            let with = move |error: &u64| Leading {
+                mantissa,
+                error: *error,
+                exponent: -7,
+            };
+            errors.iter().map(with).collect::<Vec<_>>()
+        });
+        pairs.collect()
+    }
+
+    #[test]
+    fn results_hold_what_the_ends_of_the_intervals_give() {
+        let holds = |own: Leading, exact: &Rational| {
+            let [least, greatest] = ends(own);
+            least <= *exact && *exact <= greatest
+        };
+        let mut known = 0;
+        for one in intervals() {
+            let first = ends(one);
+            for exact in first.iter().filter_map(Field::inverse) {
+                let inverse = one.inverse();
+                assert!(inverse.is_none_or(|own| holds(own, &exact)), "1/{one:?}");
+                known += usize::from(inverse.is_some());
+            }
+            for other in intervals().into_iter().step_by(3) {
+                let second = ends(other);
+                let products = [
+                    one.times(other),
+                    Leading::sum_of_products([(one, other)].into_iter()),
+                ];
+                for own in products.into_iter().flatten() {
+                    let exact = [0, 1].map(|end| first[end].times(&second[end]));
+                    assert!(
+                        exact.iter().all(|exact| holds(own, exact)),
+                        "{one:?} {other:?}"
+                    );
+                    known += 1;
+                }
+                if let Some(own) = one.plus(other) {
+                    let exact = [0, 1].map(|end| first[end].plus(&second[end]));
+                    assert!(
+                        exact.iter().all(|exact| holds(own, exact)),
+                        "{one:?} {other:?}"
+                    );
+                }
+            }
+        }
+        assert!(known > 3_000);
     }
 
     #[test]

@@ -282,6 +282,64 @@ mod tests {
         }
     }
 
+    /// Both ends of the interval of a number.
+    fn ends(own: LeadingWord) -> [Rational; 2] {
+        let (size, error, exponent) = own.parts();
+        let sign = if own.is_negative() { -1 } else { 1 };
+        let power = Rational::from(2).power(exponent);
+        let end = |size: Integer| {
+            Rational::from(size * sign).times(power.as_ref().unwrap_or(&Rational::zero()))
+        };
+        [Integer::from(size) - error, Integer::from(size) + error].map(end)
+    }
+
+    /// Numbers of all sizes of m and e, with an exponent.
+    fn intervals(negative: bool, exponent: i64) -> Vec<LeadingWord> {
+        let least = 1 << 63;
+        let mantissas = [least, least + 1, least / 2 * 3, u64::MAX - 65_536, u64::MAX];
+        let with = move |mantissa: u64| {
+            [0, 1, 2, 1_023, 32_767, 65_534, 65_535].map(|error| LeadingWord {
+                negative,
+                mantissa,
+                error,
+                exponent,
+            })
+        };
+        mantissas.into_iter().flat_map(with).collect()
+    }
+
+    #[test]
+    fn results_hold_what_the_ends_of_the_intervals_give() {
+        let mut known = 0;
+        for one in intervals(false, 0) {
+            let first = ends(one);
+            for exact in first.iter().filter_map(Field::inverse) {
+                assert!(
+                    one.inverse().is_none_or(|own| holds(own, &exact)),
+                    "1/{one:?}"
+                );
+                known += usize::from(one.inverse().is_some());
+            }
+            for (exponent, negative) in [0, 1, 15, 16, 17, 62, 63, 64, 65, 127, 128]
+                .into_iter()
+                .flat_map(|own| [(-own, false), (-own, true)])
+            {
+                for other in intervals(negative, exponent).into_iter().step_by(4) {
+                    let second = ends(other);
+                    for (left, right) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+                        let (left, right) = (&first[left], &second[right]);
+                        let product = one.times(other);
+                        let sum = one.plus(other);
+                        assert!(product.is_none_or(|own| holds(own, &left.times(right))));
+                        assert!(sum.is_none_or(|own| holds(own, &left.plus(right))));
+                        known += usize::from(product.is_some()) + usize::from(sum.is_some());
+                    }
+                }
+            }
+        }
+        assert!(known > 3_000);
+    }
+
     #[test]
     fn few_digits_are_no_answer() {
         let power = Integer::from(1) << 300_u32;

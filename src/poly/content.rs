@@ -40,23 +40,24 @@ fn shared<F: Field>(
     }
     let mut common = alone.primitive();
     for part in others.iter().flat_map(|own| parts(own)) {
-        if common.is_constant() {
+        if common.degree() == Some(0) {
             break;
         }
         common = gcd(&common, &part);
     }
-    let proof = common.is_constant().then_some(Coprimality::Euclid);
+    let proof = (common.degree() == Some(0)).then_some(Coprimality::Euclid);
     (common, proof)
 }
 
 /// The proof by an image at one point that no divisor of a polynomial in one parameter divides all
 /// the others: it would divide their values at the point too, and keeps its degree in the image
-/// where the first polynomial does.
+/// where the first polynomial does, which is not 0.
 fn coprime_at_point<F: Field>(
     alone: &UniPoly<F>,
     others: &[&BiPoly<F>],
     at_point: AtPoint<F>,
 ) -> Option<Coprimality> {
+    alone.degree()?;
     let terms = others.iter().flat_map(|own| own.terms());
     let parts = terms.flat_map(|(in_u, in_v)| [in_u, in_v]);
     let place = place_of(parts.chain([alone]))?;
@@ -137,6 +138,21 @@ mod tests {
         assert_eq!(common_factor_u(&start, &[&sum]), (line.clone(), None));
         let (in_v, proof) = common_factor_v(&line, &[&sum]);
         assert!(in_v.is_constant() && proof.is_some());
+    }
+
+    #[test]
+    fn what_divides_nothing_but_0_too_is_found() {
+        // (p u + 1)(v + 2), whose factor in u is lost modulo p
+        let prime = Rational::from((crate::number::Integer::from(1) << 61_u32) - 1);
+        let line = UniPoly::from_coefficients(&[1.into(), prime]);
+        let other = BiPoly::product(&line, &polynomial(&[2, 1]));
+        let zero = polynomial(&[]);
+        assert_eq!(common_factor_u(&zero, &[&other]), (line.clone(), None));
+        assert_eq!(
+            common_factor_v(&zero, &[&other]),
+            (polynomial(&[2, 1]), None)
+        );
+        assert_eq!(common_factor_u(&line, &[&other]), (line, None));
     }
 
     #[test]
