@@ -36,6 +36,7 @@ impl Sweep {
 
 impl Curves {
     /// The time for both curves, through the functions that `compile` calls; and the curves.
+    #[inline(never)]
     pub(crate) fn measure(&self) -> (Duration, [Curve; 2]) {
         let start = Instant::now();
         let curves = black_box([self.profile(), self.sweep()]);

@@ -201,11 +201,17 @@ impl MachineList {
         let mut sums = vec![0_i128; degree + 1];
         for order in 0..=degree {
             let own = powers.get(order).copied().unwrap_or(0);
+            // Two at a time, so that neither has to be moved aside.
             let mut below = 0;
-            for sum in &mut sums[..=order] {
-                let before = *sum;
-                *sum += below;
-                below = before;
+            let mut pairs = sums[..=order].chunks_exact_mut(2);
+            for pair in &mut pairs {
+                let [first, second] = [pair[0], pair[1]];
+                pair[0] = first + below;
+                pair[1] = second + first;
+                below = second;
+            }
+            if let [last] = pairs.into_remainder() {
+                *last += below;
             }
             sums[order] += own;
         }
