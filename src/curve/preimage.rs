@@ -1,18 +1,31 @@
 use crate::number::{Complex, Real, RootFault, Tower};
 use crate::poly::{UniPoly, bernstein, gcd, real_roots};
 
+use std::cell::OnceCell;
+
 use super::Interval;
 
 /// The preimage of a plane Pythagorean hodograph: r′ = g ω², ω = a + ib, with a complex constant g
 /// taken out so that a and b have coefficients in a small field.   [farouki-nittler, eq. 2]
 ///
 /// - **shape** deg ω = m gives a curve of degree 2m + 1
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone)]
 pub struct Preimage {
     factor: Complex,
     real: UniPoly<Real>,
     imaginary: UniPoly<Real>,
+    /// a² − b², 2ab and a² + b², once they are asked for.
+    squares: OnceCell<[UniPoly<Real>; 3]>,
 }
+
+impl PartialEq for Preimage {
+    fn eq(&self, other: &Self) -> bool {
+        let parts = |own: &Self| (own.factor.clone(), own.real.clone(), own.imaginary.clone());
+        parts(self) == parts(other)
+    }
+}
+
+impl Eq for Preimage {}
 
 impl Preimage {
     /// g (a + ib)²
@@ -22,7 +35,14 @@ impl Preimage {
             factor,
             real,
             imaginary,
+            squares: OnceCell::new(),
         }
+    }
+
+    /// (Re ω², Im ω², |ω|²)
+    fn squares(&self) -> &[UniPoly<Real>; 3] {
+        let find = || UniPoly::complex_squares(&self.real, &self.imaginary);
+        self.squares.get_or_init(find)
     }
 
     /// g
@@ -40,9 +60,7 @@ impl Preimage {
     /// (x′, y′): real and imaginary part of g ω².
     #[must_use]
     pub fn hodograph(&self) -> [UniPoly<Real>; 2] {
-        let (a, b) = (&self.real, &self.imaginary);
-        let square = UniPoly::sum_of_products(&[(1, a, a), (-1, b, b)]);
-        let cross = UniPoly::sum_of_products(&[(2, a, b)]);
+        let [square, cross, _] = self.squares();
         let (g, h) = (&self.factor.real, &self.factor.imaginary);
         [
             &square.scale(g) - &cross.scale(h),
@@ -59,8 +77,8 @@ impl Preimage {
     /// |ω|²
     #[must_use]
     pub fn norm(&self) -> UniPoly<Real> {
-        let (a, b) = (&self.real, &self.imaginary);
-        UniPoly::sum_of_products(&[(1, a, a), (1, b, b)])
+        let [.., norm] = self.squares();
+        norm.clone()
     }
 
     /// σ = |g| |ω|²; the field grows if it does not hold |g|.   [farouki-nittler, eq. 3]

@@ -25,6 +25,9 @@ impl<F: Field> Quotient<F> {
     /// n / d, nothing cancelled but a constant; none if d is 0.
     #[must_use]
     pub fn new(numerator: &UniPoly<F>, denominator: &UniPoly<F>) -> Option<Self> {
+        if denominator.is_one() {
+            return Some(Self::polynomial(numerator.clone()));
+        }
         let (factor, integral) = denominator.split_integral();
         Some(Self {
             numerator: numerator.scale(&factor.inverse()?),

@@ -48,6 +48,34 @@ impl<F: Field> UniPoly<F> {
         })
     }
 
+    /// a² − b², 2ab and a² + b²: real part, imaginary part and norm of (a + ib)².
+    #[must_use]
+    pub fn complex_squares(a: &Self, b: &Self) -> [Self; 3] {
+        let in_machine_numbers = || {
+            let common = lcm(a.denominator(), b.denominator());
+            let raised = |own: &Self| {
+                let factor = (&common / own.denominator()).machine()?;
+                own.numerators_held()?.machine()?.times_ratio(factor, 1)
+            };
+            let (left, right) = (raised(a)?, raised(b)?);
+            let (left, right) = (left.numbers(), right.numbers());
+            let first = MachineList::convolution(left, left)?;
+            let second = MachineList::convolution(right, right)?;
+            let cross = MachineList::products(&[(2, left, right)])?;
+            let sum = |sign| {
+                let terms = [Some((first.numbers(), 1)), Some((second.numbers(), sign))];
+                MachineList::combination(terms.into_iter())
+            };
+            let lists = [sum(-1)?, cross, sum(1)?].map(MachineList::trimmed);
+            let below = &common * &common;
+            Some(lists.map(|own| Self::lowest(own.into(), below.clone())))
+        };
+        in_machine_numbers().unwrap_or_else(|| {
+            let (first, second, cross) = (a * a, b * b, a * b);
+            [&first - &second, &cross + &cross, &first + &second]
+        })
+    }
+
     /// Σ fₖ pₖ / d for the numerators pₖ of polynomials.
     fn combination<'a>(
         terms: impl Iterator<Item = (&'a Self, Integer)> + Clone,

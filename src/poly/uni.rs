@@ -339,30 +339,25 @@ impl<F: Field> UniPoly<F> {
     /// The polynomial P with P′ = p and P(a) = c.
     #[must_use]
     pub fn antiderivative_from(&self, at: &F, value: &F) -> Self {
-        let rise = self.antiderivative();
-        if at.is_zero() {
-            return rise.plus_constant(value);
+        if at.is_zero()
+            && let Some(rise) = self.antiderivative_with(value)
+        {
+            return rise;
         }
+        let rise = self.antiderivative();
         let constant = value.minus(&rise.evaluate(at));
-        rise.plus_constant(&constant)
+        &rise + &Self::constant(&constant)
     }
 
-    /// p(x) + c for p(0) = 0.
-    fn plus_constant(&self, constant: &F) -> Self {
-        let machine = || {
-            let (above, below) = constant.machine_parts()?;
-            let common = lcm(self.denominator(), &below.into());
-            let factor = (&common / self.denominator()).machine()?;
-            let above = (&common / Integer::from(below) * Integer::from(above)).machine()?;
-            let own = self.numerators_held()?.machine()?;
-            let sum = own.with_first(above, factor)?;
-            // Of a prime power that divides the denominator, some coefficient needs all.
-            Some(Self::of_parts(sum.into(), common))
-        };
-        match machine() {
-            Some(sum) if !constant.is_zero() => sum,
-            _ => self + &Self::constant(constant),
-        }
+    /// The polynomial P with P′ = p and P(0) = c, in machine numbers.
+    fn antiderivative_with(&self, constant: &F) -> Option<Self> {
+        let (rise, common) = MachineList::antiderivative(self.machine()?)?;
+        let (above, below) = constant.machine_parts()?;
+        let (own, below) = (self.denominator() * Integer::from(common), below.into());
+        let denominator = lcm(&own, &below);
+        let first = (&denominator / &below * Integer::from(above)).machine()?;
+        let sum = rise.with_first(first, (&denominator / &own).machine()?)?;
+        Some(Self::lowest(sum.trimmed().into(), denominator))
     }
 
     /// p(x) at a number, by Horner's rule on numerator and denominator.

@@ -82,7 +82,10 @@ impl<'a> Expander<'a> {
             (degree.u.max(degree.v), terms)
         };
         let fits = |(high, terms)| high <= self.limits.degree && terms <= self.limits.terms;
-        if rough_degree(expression).map(size).is_some_and(fits) {
+        let known = expression.degree_at_most();
+        let known = known.map(|own| BiDegree::new(own, own));
+        let fits = |degree: Option<BiDegree>| degree.map(size).is_some_and(fits);
+        if fits(known) || fits(rough_degree(expression)) {
             return Ok(());
         }
         let degree = self.counter.largest(expression);

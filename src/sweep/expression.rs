@@ -35,6 +35,8 @@ struct Facts {
     rooted: bool,
     /// How many expressions are nested in it.
     depth: usize,
+    /// What the degrees of its numerator and denominator do not exceed; greatest if not known.
+    degree: u32,
 }
 
 /// The forms of a scalar expression.
@@ -112,6 +114,30 @@ impl Form {
         }
     }
 
+    /// A degree that is not exceeded when it is expanded, by the sum of those of its parts: with
+    /// n/d + a/b = (n b + a d) / d b that is one for sums, too.
+    fn degree(&self, parts: u32) -> u32 {
+        let least = |own: usize| u32::try_from(own).unwrap_or(u32::MAX);
+        match self {
+            Self::Constant(_) => 0,
+            Self::Parameter(_) => 1,
+            Self::Polynomial(_, own) => least(own.degree().unwrap_or_default()),
+            Self::Sum(_) | Self::Product(_) => parts,
+            Self::Power(_, exponent) => {
+                let exponent = u32::try_from(exponent.unsigned_abs()).unwrap_or(u32::MAX);
+                parts.saturating_mul(exponent)
+            }
+            Self::Property(of, argument) if of.derivative == 0 => {
+                let bound = of.curve.property(of.property).map(|own| own.bound);
+                match (argument.form(), bound) {
+                    (Self::Parameter(_), Ok((above, below))) => least(above.max(below)),
+                    _ => u32::MAX,
+                }
+            }
+            _ => u32::MAX,
+        }
+    }
+
     fn facts(&self) -> Facts {
         let mut facts = Facts::default();
         self.visit(&mut |part| {
@@ -120,7 +146,9 @@ impl Form {
             facts.rooted |= own.rooted;
             facts.depends[0] |= own.depends[0];
             facts.depends[1] |= own.depends[1];
+            facts.degree = facts.degree.saturating_add(own.degree);
         });
+        facts.degree = self.degree(facts.degree);
         match self {
             Self::Parameter(own) | Self::Polynomial(own, _) => {
                 facts.depends = [*own == Parameter::U, *own == Parameter::V];
@@ -323,6 +351,14 @@ impl Scalar {
     #[must_use]
     pub fn is_rooted(&self) -> bool {
         self.0.facts.rooted
+    }
+
+    /// A degree in either parameter that numerator and denominator do not exceed when it is expanded;
+    /// none where it takes more than a sum to tell.
+    #[must_use]
+    pub(super) fn degree_at_most(&self) -> Option<usize> {
+        let degree = self.0.facts.degree;
+        (degree < u32::MAX).then(|| usize::try_from(degree).ok())?
     }
 
     /// How many expressions are nested in it.
