@@ -126,3 +126,69 @@ impl<F: Field> Sub for &UniPoly<F> {
         UniPoly::combination([(self, left), (other, right)].into_iter(), &common)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::{Real, Tower};
+
+    /// 0, 1, constants, short and long numerators over several denominators, irrational ones.
+    fn polynomials() -> Vec<UniPoly<Real>> {
+        let tower = Tower::new(4);
+        let root = tower.square_root(&Real::from(2));
+        let root = root.unwrap_or_else(|_| Real::zero());
+        let power = |exponent: i64| Real::power_of_two(exponent);
+        let third = Real::ratio(1.into(), 3.into());
+        let rows = [
+            vec![],
+            vec![Real::one()],
+            vec![Real::from(-6)],
+            vec![Real::from(2), third.clone()],
+            vec![Real::from(-1), Real::zero(), Real::from(5)],
+            vec![&power(61) * &third, -&power(62), Real::one()],
+            vec![power(-9), &power(126) - &Real::one(), third],
+            vec![power(150), Real::from(7)],
+            vec![root.clone(), Real::from(4), &root * &Real::from(-3)],
+        ];
+        rows.iter()
+            .map(|own| UniPoly::from_coefficients(own))
+            .collect()
+    }
+
+    #[test]
+    fn sums_of_products_are_those_of_products() {
+        let all = polynomials();
+        for (a, b) in all.iter().flat_map(|a| all.iter().map(move |b| (a, b))) {
+            let [square, cross, norm] = UniPoly::complex_squares(a, b);
+            assert_eq!(square, &(a * a) - &(b * b), "{a} {b}");
+            assert_eq!(cross, (a * b).scale(&2.into()), "{a} {b}");
+            assert_eq!(norm, &(a * a) + &(b * b), "{a} {b}");
+            for (c, d) in all.iter().zip(all.iter().rev()) {
+                let sum = UniPoly::sum_of_products(&[(3, a, b), (-2, c, d), (1, b, d)]);
+                let terms = [(a * b).scale(&3.into()), (c * d).scale(&(-2).into()), b * d];
+                assert_eq!(sum, UniPoly::sum(terms.iter()), "{a} {b} {c} {d}");
+            }
+        }
+    }
+
+    #[test]
+    fn antiderivatives_begin_where_they_are_told_to() {
+        let values = [
+            Real::zero(),
+            Real::from(-7),
+            Real::ratio(5.into(), 12.into()),
+        ];
+        let values = values.into_iter().chain([Real::power_of_two(140)]);
+        for value in values.collect::<Vec<_>>() {
+            for own in polynomials() {
+                for at in [Real::zero(), Real::one(), Real::ratio(2.into(), 3.into())] {
+                    let rise = own.antiderivative_from(&at, &value);
+                    assert_eq!(rise.derivative(), own);
+                    assert_eq!(rise.evaluate(&at), value);
+                    let canonical = UniPoly::from_coefficients(&rise.coefficients());
+                    assert_eq!(rise, canonical);
+                }
+            }
+        }
+    }
+}
