@@ -265,6 +265,10 @@ impl MachineList {
     #[must_use]
     pub fn differences(&self) -> Option<Self> {
         let growth = u32::try_from(self.0.len()).ok()?;
+        // C(n, k) (n − k) < n 2ⁿ⁻¹ is there before a division.
+        if growth + growth.max(1).ilog2() > DIGITS {
+            return None;
+        }
         let fits = |list: &[i128]| {
             bits(list)
                 .checked_add(growth)
@@ -452,6 +456,19 @@ mod tests {
                     pairs.map(|(own, binomial)| Integer::from(*own) * Integer::from(*binomial));
                 assert!(back.is_none_or(|own| whole(own.numbers()).into_iter().eq(scaled)));
             }
+        }
+    }
+
+    #[test]
+    fn long_lists_of_nothing_have_no_differences() {
+        for length in [1, 2, 60, 119, 120, 121, 126, 127, 128, 300] {
+            let powers = MachineList(vec![0; length]).differences();
+            assert!(powers.is_none_or(|own| own.numbers() == vec![0; length]));
+            let mut last = vec![0; length];
+            last[length - 1] = 1;
+            // tⁿ, whose Bernstein coefficients are 0, …, 0, 1
+            let powers = MachineList(last.clone()).differences();
+            assert!(powers.is_none_or(|own| own.numbers() == last));
         }
     }
 
