@@ -56,6 +56,41 @@ fn not_pythagorean() {
     );
 }
 
+/// Told at the value. What the degrees are is for the author to say, so there is no edit.
+#[test]
+fn a_bidegree_compares_with_a_pair() {
+    let scalar = "a bidegree compares with a pair, and this is a scalar";
+    let degrees = "= help: write `bidegree(R) == (m, n)`, the degree in u before that in v";
+    let claims: [(&str, &[&str]); 7] = [
+        ("bidegree(R) == 1", &[scalar, ":2:23", degrees]),
+        (
+            "1 != bidegree(R.W)",
+            &[scalar, ":2:8", "= help: write `(m, n) != bidegree(R.W)`"],
+        ),
+        ("bidegree(R) < 2", &[scalar, ":2:22", degrees]),
+        ("bidegree(R) == u", &[scalar, ":2:23", degrees]),
+        (
+            "bidegree(R) == (1, 1, 1)",
+            &["and this is a vector", degrees],
+        ),
+        (
+            "common_factor(R) == (1, 1)",
+            &[
+                "a common factor compares with a polynomial, and this is a pair",
+                "= help: write `common_factor(R) == 1`, or a polynomial in place of the `1`",
+            ],
+        ),
+        (
+            "bidegree(R) == common_factor(R)",
+            &["a bidegree does not compare with a common factor"],
+        ),
+    ];
+    for (claim, parts) in claims {
+        let text = format!("surface R = (u, v, u v)\nexpect {claim}");
+        says(&text, &["E0106"], parts);
+    }
+}
+
 #[test]
 fn arc_length_of_a_circle() {
     // σ = 2/(1 + v²)

@@ -267,6 +267,9 @@ impl<'a> Lowerer<'a> {
         right: (Side, &Expr),
         span: Span,
     ) -> Lowered<Claim> {
+        if let Some(finding) = self.unlike_quantity([&left, &right], relation) {
+            return Err(self.report(finding));
+        }
         let places = (left.1.span, right.1.span);
         let bidegree = |side: &Side| matches!(side, Side::Quantity(Quantity::BiDegree { .. }));
         if bidegree(&left.0) || bidegree(&right.0) {
@@ -291,6 +294,58 @@ impl<'a> Lowerer<'a> {
             }
         }
     }
+
+    /// E0106 at a value beside a bidegree that is no pair, or beside a common factor that is no
+    /// scalar. The degrees are for the author to say, so there is no edit.
+    fn unlike_quantity(
+        &self,
+        sides: [&(Side, &Expr); 2],
+        relation: Relation,
+    ) -> Option<Diagnostic> {
+        let (asked, quantity, value, place) = match sides {
+            [(Side::Quantity(own), asked), (Side::Value(value), place)]
+            | [(Side::Value(value), place), (Side::Quantity(own), asked)] => {
+                (asked, own, value, place)
+            }
+            _ => return None,
+        };
+        let (message, kind, form, help) = match (quantity, value) {
+            (Quantity::BiDegree { .. }, Value::Pair(_))
+            | (Quantity::CommonFactor { .. }, Value::Scalar(_))
+            | (Quantity::Value(_), _) => return None,
+            (Quantity::BiDegree { .. }, _) => {
+                let message = "a bidegree compares with a pair";
+                (
+                    message,
+                    "a pair",
+                    "(m, n)",
+                    "the degree in u before that in v",
+                )
+            }
+            (Quantity::CommonFactor { .. }, _) => {
+                let message = "a common factor compares with a polynomial";
+                (
+                    message,
+                    "a polynomial",
+                    "1",
+                    "or a polynomial in place of the `1`",
+                )
+            }
+        };
+        let sign = match relation {
+            Relation::NotEqual => "!=",
+            _ => "==",
+        };
+        let written = self.sources.map.slice(asked.span);
+        let (left, right) = match asked.span == sides[0].1.span {
+            true => (written, form),
+            false => (form, written),
+        };
+        let message = format!("{message}, and this is {}", value.type_name());
+        let finding = Diagnostic::new(Code::E0106, place.span, message);
+        let finding = finding.related(asked.span, kind);
+        Some(finding.help(format!("write `{left} {sign} {right}`, {help}")))
+    }
 }
 
 /// Why two sides do not compare; none if they do.
@@ -303,15 +358,12 @@ fn incomparable(left: &Side, relation: Relation, right: &Side) -> Option<String>
         let ordered = !relation.is_order() || matches!(left, Value::Scalar(_));
         return (!ordered).then(|| format!("{} has no order", left.type_name()));
     }
-    // A bidegree compares with a pair, a common factor with a scalar.
-    let shape = |side: &Side| match side {
-        Side::Quantity(Quantity::BiDegree { .. }) => 2,
-        Side::Quantity(_) => 1,
-        Side::Value(value) => value.components().len(),
+    let is_bidegree = |side: &Side| match side {
+        Side::Quantity(own) => matches!(own, Quantity::BiDegree { .. }),
+        Side::Value(value) => matches!(value, Value::Pair(_)),
     };
-    if shape(left) != shape(right) {
-        let what = "a bidegree compares with a pair, a common factor with a polynomial";
-        return Some(what.to_owned());
+    if is_bidegree(left) != is_bidegree(right) {
+        return Some("a bidegree does not compare with a common factor".to_owned());
     }
     let what = "bidegrees and common factors have no order";
     relation.is_order().then(|| what.to_owned())
