@@ -121,11 +121,37 @@ const SLIPS: &[(Code, &str, &str)] = &[
     (Code::E0006, "let a = 1\n«b» = a", "`let`"),
     (Code::E0006, "let «=» 2", "expected a name, found `=`"),
     (Code::E0006, "let a = c.«2»", "expected a name, found `2`"),
-    (Code::E0006, "let a =«»", "found the end of the file"),
+    (Code::E0006, "let a =«»", "write the value behind the `=`"),
     (
         Code::E0006,
-        "let a = \n«let» b = 2",
-        "found the keyword `let`",
+        "let a«» # 3\n\n\n",
+        "expected `=`, found the end of the declaration; write `let a = 1`",
+    ),
+    (
+        Code::E0006,
+        "param r«»\nlet b = 2",
+        "write `param r = 1`, or another value",
+    ),
+    (
+        Code::E0006,
+        "let a =«»\nparam r = 2",
+        "expected an expression, found the end of the declaration",
+    ),
+    (
+        Code::E0006,
+        "sweep c(v) in xy«»\n# the surface\nsurface R = c(v) + u k",
+        "write `=` and the value",
+    ),
+    (
+        Code::E0006,
+        "import«»\nlet b = 2",
+        "expected a string, found the end of the declaration",
+    ),
+    // on one line the keyword may be a word too many
+    (
+        Code::E0006,
+        "let a = 2 + «let» b = 2",
+        "expected an expression, found the keyword `let`",
     ),
 ];
 

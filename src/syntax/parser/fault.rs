@@ -1,6 +1,6 @@
 use nom::error::{ErrorKind, ParseError};
 
-use super::hint::hinted;
+use super::hint::{end_of, hinted};
 use super::stream::{Source, Stream};
 use crate::diag::{Code, Diagnostic, Span};
 use crate::syntax::lexer::{Keyword, TokenKind};
@@ -79,7 +79,14 @@ fn unexpected(source: &Source<'_>, at: usize, what: &'static str) -> Option<Diag
         }
         _ => {}
     }
-    let message = format!("expected {what}, found {}", source.described(token));
+    let (span, found) = match source.ends_declaration(at) {
+        true => {
+            let last = source.span(source.token(at - 1));
+            (end_of(last), "the end of the declaration".to_owned())
+        }
+        false => (span, source.described(token)),
+    };
+    let message = format!("expected {what}, found {found}");
     let finding = Diagnostic::new(Code::E0006, span, message);
     Some(hinted(finding, source, at, what))
 }

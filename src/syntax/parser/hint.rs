@@ -2,7 +2,7 @@
 
 use super::stream::Source;
 use crate::diag::{Code, Diagnostic, Span};
-use crate::syntax::lexer::{Keyword, Token, TokenKind};
+use crate::syntax::lexer::{Keyword, Token, TokenKind, clipped};
 
 /// What is expected behind the name of a curve.
 pub(super) const CURVE_PARAMETER: &str = "the parameter of the curve, `(u)` or `(v)`";
@@ -53,10 +53,29 @@ fn hint(source: &Source<'_>, at: usize, what: &'static str) -> Option<String> {
             "a string stands in double quotes"
         }
         (Keyword(self::Keyword::In), "a unit") => "the units are `mm`, `cm`, `m`, `inch`",
+        (_, "an expression") if before == Equal && source.ends_declaration(at) => {
+            "write the value behind the `=`"
+        }
+        (_, "`=`") if source.ends_declaration(at) => return Some(value_missing(source, at)),
         (_, "`=`") => return equal_missing(source, at),
         _ => return None,
     };
     Some(help.to_owned())
+}
+
+/// What to write where a declaration ends behind its head. Which value is for the author to say.
+fn value_missing(source: &Source<'_>, at: usize) -> String {
+    let [keyword, name] = [2, 1].map(|back| source.token(at.wrapping_sub(back)));
+    match keyword.kind {
+        TokenKind::Keyword(own @ (Keyword::Param | Keyword::Let)) => {
+            format!(
+                "write `{} {} = 1`, or another value",
+                own.as_str(),
+                clipped(source.written(name))
+            )
+        }
+        _ => "write `=` and the value".to_owned(),
+    }
 }
 
 fn equal_missing(source: &Source<'_>, at: usize) -> Option<String> {

@@ -162,6 +162,14 @@ impl<'a> Source<'a> {
         keyword.begins_declaration() && !self.is_misused_keyword(index)
     }
 
+    /// Whether a declaration is over before an index: the file ends there, or another begins on a
+    /// line of its own. What is missing then is missing behind the last token.
+    pub(super) fn ends_declaration(&self, index: usize) -> bool {
+        let is_over = self.kind(index) == TokenKind::End
+            || (self.begins_declaration(index) && self.begins_line(index));
+        is_over && self.kind_before(index) != TokenKind::End
+    }
+
     /// The text from a parenthesis to the one that closes it, and the index behind that.
     pub(super) fn enclosed(&self, opening: usize) -> Option<(Span, usize)> {
         let mut depth = 0_usize;
