@@ -220,6 +220,51 @@ fn a_long_caption_has_several_lines() {
     assert_eq!(all, told.join("; "));
 }
 
+/// No colour by `currentColor`, no order of painting, no part of a line set on its own: readers of
+/// SVG outside of browsers paint these black, over the letters, and one over the other.
+#[test]
+fn a_drawing_says_its_colours_and_texts_plainly() {
+    let files = compiled("paper/example_2.sweep", &["--emit", "svg"]);
+    let drawing = Document::parse(&files["example_2-R.svg"]).unwrap();
+    for own in drawing.descendants().filter(Node::is_element) {
+        for attribute in own.attributes() {
+            let (name, value) = (attribute.name(), attribute.value());
+            let plain = !["color", "paint-order", "style"].contains(&name);
+            assert!(plain && value != "currentColor", "{name}=\"{value}\"");
+        }
+        let names = ["svg", "title", "rect", "g", "path", "circle", "text"];
+        assert!(names.contains(&own.tag_name().name()), "{own:?}");
+    }
+    let group = drawing.descendants();
+    let mut group = group.filter(|own| own.attribute("id") == Some("surfaces"));
+    let faces = group.next().unwrap().children().filter(Node::is_element);
+    let colors: Vec<_> = faces
+        .map(|own| ["fill", "stroke"].map(|name| own.attribute(name).unwrap_or("none")))
+        .collect();
+    assert!(!colors.is_empty());
+    for [fill, stroke] in colors {
+        assert!(fill.starts_with('#') && fill == stroke, "{fill} {stroke}");
+    }
+    let texts = drawing.descendants().filter(|own| own.has_tag_name("text"));
+    let texts: Vec<_> = texts
+        .map(|own| (own.text().unwrap(), own.attribute("fill")))
+        .collect();
+    let (red, blue, grey) = (Some("#b9483a"), Some("#1f6fb2"), Some("#6b7885"));
+    assert_eq!(
+        texts,
+        [
+            ("c(v)", None),
+            ("c(v)", red),
+            ("p(u)", None),
+            ("p(u)", blue),
+            ("x", grey),
+            ("y", grey),
+            ("z", grey),
+            ("R, bidegree (2, 9)", Some("#1d2b3a")),
+        ]
+    );
+}
+
 /// `cargo run --release -- compile examples/paper/example_2.sweep --emit svg -o examples/pictures`
 #[test]
 fn the_picture_of_the_readme_is_up_to_date() {

@@ -53,7 +53,7 @@ fn document(figure: &Figure, model: &Model) -> String {
              width=\"{width}\" height=\"{height}\" role=\"img\" fill=\"none\" \
              stroke-linecap=\"round\" stroke-linejoin=\"round\">"
         ),
-        format!("<title>{}</title>", plain(&captions.join("; "))),
+        format!("<title>{}</title>", escaped(&captions.join("; "))),
         format!("<rect width=\"{width}\" height=\"{height}\" fill=\"#fff\"/>"),
     ];
     lines.extend(shades(&figure.shades));
@@ -93,7 +93,10 @@ fn document(figure: &Figure, model: &Model) -> String {
     lines.join("\n")
 }
 
-const SERIF: &str = "font-family=\"STIX Two Text, Latin Modern Roman, Times New Roman, serif\"";
+/// A line of text in the middle of its place, all of it in italics. Some readers of SVG know only
+/// the first family, and move the parts of a line that are set on their own.
+const TEXT: &str = "font-family=\"Times New Roman, STIX Two Text, Latin Modern Roman, serif\" \
+                    font-style=\"italic\" text-anchor=\"middle\"";
 
 /// The stretches of some strokes.
 fn paths<'a>(
@@ -128,11 +131,10 @@ fn path(line: &[[f64; 2]]) -> String {
     text
 }
 
-/// The tones of surfaces, far ones first; neighbours of one tone are one path.
+/// The tones of surfaces, far ones first; neighbours of one tone are one path. Each path names its
+/// colour twice: not every reader knows the one that a path has by `color`.
 fn shades(all: &[Shades]) -> Vec<String> {
-    let group =
-        "<g id=\"surfaces\" fill=\"currentColor\" stroke=\"currentColor\" stroke-width=\"0.7\">";
-    let mut lines = vec![group.to_owned()];
+    let mut lines = vec!["<g id=\"surfaces\" stroke-width=\"0.7\">".to_owned()];
     let cells = Shades::from_afar(all);
     let is_alike =
         |one: &&Shade, other: &&Shade| (one.is_front, one.tone) == (other.is_front, other.tone);
@@ -144,7 +146,9 @@ fn shades(all: &[Shades]) -> Vec<String> {
             format!("M{}Z", corners.join(" "))
         });
         let cells = cells.collect::<String>();
-        lines.push(format!("<path color=\"{color}\" d=\"{cells}\"/>"));
+        lines.push(format!(
+            "<path fill=\"{color}\" stroke=\"{color}\" d=\"{cells}\"/>"
+        ));
     }
     lines.push("</g>".to_owned());
     lines
@@ -185,13 +189,18 @@ fn curve(own: &CurveFigure) -> String {
         .iter()
         .map(|line| format!("<path d=\"{}\"/>\n", path(line)));
     let [x, y] = own.label.map(number);
+    let label = |paint: &str| {
+        let name = escaped(&own.name);
+        format!(
+            "<text x=\"{x}\" y=\"{y}\" {TEXT} font-size=\"15\" {paint}>{name}({parameter})</text>"
+        )
+    };
+    // the white around the letters is a text below them: not every reader paints strokes first
+    let halo = label("stroke=\"#fff\" stroke-width=\"3\" aria-hidden=\"true\"");
+    let letters = label(&format!("fill=\"{color}\""));
     format!(
-        "<g class=\"{class}\" stroke=\"{color}\" stroke-width=\"1.9\">\n{}</g>\n\
-         <text x=\"{x}\" y=\"{y}\" {SERIF} font-size=\"15\" text-anchor=\"middle\" \
-         fill=\"{color}\" stroke=\"#fff\" stroke-width=\"3\" paint-order=\"stroke\"><tspan \
-         font-style=\"italic\">{}</tspan>(<tspan font-style=\"italic\">{parameter}</tspan>)</text>",
-        paths.collect::<String>(),
-        escaped(&own.name)
+        "<g class=\"{class}\" stroke=\"{color}\" stroke-width=\"1.9\">\n{}</g>\n{halo}\n{letters}",
+        paths.collect::<String>()
     )
 }
 
@@ -199,8 +208,7 @@ fn curve(own: &CurveFigure) -> String {
 fn axes(figure: &Figure) -> String {
     let corner = [48.0, figure.stage.height - 36.0];
     let mut text = format!(
-        "<g id=\"axes\" stroke=\"#6b7885\" stroke-width=\"0.8\" {SERIF} font-size=\"12\" \
-         font-style=\"italic\" text-anchor=\"middle\">\n"
+        "<g id=\"axes\" stroke=\"#6b7885\" stroke-width=\"0.8\" {TEXT} font-size=\"12\">\n"
     );
     for (index, name) in ["x", "y", "z"].into_iter().enumerate() {
         let mut axis = [0.0; 3];
@@ -222,16 +230,11 @@ fn axes(figure: &Figure) -> String {
     text
 }
 
-/// The name and the bidegree of each surface, with marks for italics.
+/// The name and the bidegree of each surface.
 fn captions(model: &Model) -> Vec<String> {
     let names = model.parts().iter().map(|own| {
         let degree = own.net.degree();
-        format!(
-            "<tspan font-style=\"italic\">{}</tspan>, bidegree ({}, {})",
-            escaped(&own.name),
-            degree.u,
-            degree.v
-        )
+        format!("{}, bidegree ({}, {})", own.name, degree.u, degree.v)
     });
     names.collect()
 }
@@ -240,7 +243,7 @@ fn captions(model: &Model) -> Vec<String> {
 fn caption(captions: &[String], height: f64) -> (f64, String) {
     let mut lines: Vec<String> = Vec::new();
     for own in captions {
-        let letters = |text: &str| plain(text).chars().count();
+        let letters = |text: &str| text.chars().count();
         match lines.last_mut() {
             Some(line) if letters(line) + letters(own) < LETTERS => {
                 line.push_str(&format!("; {own}"));
@@ -255,21 +258,13 @@ fn caption(captions: &[String], height: f64) -> (f64, String) {
             text.push('\n');
         }
         text.push_str(&format!(
-            "<text x=\"{}\" y=\"{}\" {SERIF} font-size=\"14\" text-anchor=\"middle\" \
-             fill=\"#1d2b3a\">{line}</text>",
+            "<text x=\"{}\" y=\"{}\" {TEXT} font-size=\"14\" fill=\"#1d2b3a\">{}</text>",
             number(WIDTH / 2.0),
-            number(bottom - 22.0)
+            number(bottom - 22.0),
+            escaped(line)
         ));
     }
     (bottom, text)
-}
-
-/// A text without its marks.
-fn plain(text: &str) -> String {
-    let parts = text
-        .split('<')
-        .map(|part| part.split_once('>').map_or(part, |(_, own)| own));
-    parts.collect()
 }
 
 /// A text as XML takes it.
