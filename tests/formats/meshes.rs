@@ -392,20 +392,20 @@ fn normals_are_exact_directions_rounded_once() {
     }
 }
 
-fn exact(point: [Double; 3]) -> [Real; 3] {
+pub(super) fn exact(point: [Double; 3]) -> [Real; 3] {
     point.map(Double::exact)
 }
 
-fn minus(left: &[Real; 3], right: &[Real; 3]) -> [Real; 3] {
+pub(super) fn minus(left: &[Real; 3], right: &[Real; 3]) -> [Real; 3] {
     [0, 1, 2].map(|axis| left[axis].minus(&right[axis]))
 }
 
-fn dot(left: &[Real; 3], right: &[Real; 3]) -> Real {
+pub(super) fn dot(left: &[Real; 3], right: &[Real; 3]) -> Real {
     let terms = left.iter().zip(right).map(|(own, other)| own.times(other));
     terms.fold(Real::zero(), |sum, own| sum.plus(&own))
 }
 
-fn cross(left: &[Real; 3], right: &[Real; 3]) -> [Real; 3] {
+pub(super) fn cross(left: &[Real; 3], right: &[Real; 3]) -> [Real; 3] {
     [(1, 2), (2, 0), (0, 1)].map(|(i, j)| left[i].times(&right[j]).minus(&left[j].times(&right[i])))
 }
 

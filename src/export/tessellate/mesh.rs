@@ -9,7 +9,7 @@ use crate::sweep::{HomogeneousSurface, NormalVector};
 
 use super::flatness::Flatness;
 use super::lattice::{Lattice, inside};
-use super::normal_field::NormalField;
+use super::normal_field::{NormalField, PlaceNormal};
 use super::outline::Outline;
 use super::resolution::Resolution;
 use super::strip::strip;
@@ -58,7 +58,16 @@ pub struct Corner {
 }
 
 /// A vertex, with its normal if it has one.
-type Bare = (usize, Option<usize>);
+type Bare = (usize, Option<BareNormal>);
+
+/// A normal before its triangle is known.
+#[derive(Clone, Copy)]
+enum BareNormal {
+    /// Its place in the list, and whether it is against the direction that the field has there.
+    Known { place: usize, turned: bool },
+    /// Along the direction of the field or against it: as in the rest of the triangle.
+    Open([Double; 3]),
+}
 
 impl Mesh {
     /// The mesh of a model whose parts have patches, within the tolerance of a context.
@@ -211,7 +220,7 @@ impl FaceWork<'_> {
     }
 
     /// The normals at the inner points, u by u and v by v within.
-    fn inner_normals(&mut self, [m, n]: [usize; 2]) -> Vec<Option<usize>> {
+    fn inner_normals(&mut self, [m, n]: [usize; 2]) -> Vec<Option<BareNormal>> {
         let mut normals = vec![None; (m - 1) * (n - 1)];
         if let Some(field) = self.field.take() {
             field.grid(
@@ -219,7 +228,7 @@ impl FaceWork<'_> {
                 &inside(m),
                 &inside(n),
                 |[i, j], own| {
-                    normals[i * (n - 1) + j] = own.map(|own| self.known_normal(own));
+                    normals[i * (n - 1) + j] = own.map(|own| self.bare_normal(own));
                 },
             );
             self.field = Some(field);
@@ -248,12 +257,23 @@ impl FaceWork<'_> {
         strip(&outer, inner, &mut |corners| self.triangle(corners));
     }
 
-    /// The place of the normal at parameters of the unit square in the list of all.
-    fn normal(&mut self, [u, v]: &[Real; 2]) -> Option<usize> {
+    /// The normal at parameters of the unit square.
+    fn normal(&mut self, [u, v]: &[Real; 2]) -> Option<BareNormal> {
         let normal = self.field.as_ref()?.at(self.mesh.precision, u, v)?;
-        Some(self.known_normal(normal))
+        Some(self.bare_normal(normal))
     }
 
+    fn bare_normal(&mut self, normal: PlaceNormal) -> BareNormal {
+        match normal.turned {
+            Some(turned) => BareNormal::Known {
+                place: self.known_normal(normal.vector),
+                turned,
+            },
+            None => BareNormal::Open(normal.vector),
+        }
+    }
+
+    /// The place of a normal in the list of all.
     fn known_normal(&mut self, normal: [Double; 3]) -> usize {
         let list = &mut self.mesh.normals;
         *self.known.entry(normal).or_insert_with(|| {
@@ -262,20 +282,33 @@ impl FaceWork<'_> {
         })
     }
 
-    /// A triangle; where the surface has no normal, its own.
+    /// A triangle. A normal that is open turns as the others do, so that it is their limit on this
+    /// side; where the surface has none, or all are open, it is the triangle's own.
     fn triangle(&mut self, mut corners: [Bare; 3]) {
         if self.opposite {
             corners.swap(1, 2);
         }
-        let bare = corners.iter().any(|(_, normal)| normal.is_none());
-        let own = bare.then(|| {
-            let points = corners.map(|(vertex, _)| self.mesh.vertices[vertex]);
+        let side = corners.iter().find_map(|(_, normal)| match normal {
+            Some(BareNormal::Known { turned, .. }) => Some(*turned),
+            _ => None,
+        });
+        let normals = corners.map(|(_, normal)| match (normal?, side) {
+            (BareNormal::Known { place, .. }, _) => Some(place),
+            (BareNormal::Open(vector), Some(false)) => Some(self.known_normal(vector)),
+            (BareNormal::Open(vector), Some(true)) => {
+                Some(self.known_normal(vector.map(Double::negated)))
+            }
+            (BareNormal::Open(_), None) => None,
+        });
+        let vertices = corners.map(|(vertex, _)| vertex);
+        let own = normals.contains(&None).then(|| {
+            let points = vertices.map(|own| self.mesh.vertices[own]);
             let facet = facet_normal(self.mesh.precision, points);
             self.known_normal(facet.unwrap_or_default())
         });
-        let corners = corners.map(|(vertex, normal)| Corner {
-            vertex,
-            normal: normal.or(own).unwrap_or_default(),
+        let corners = [0, 1, 2].map(|index| Corner {
+            vertex: vertices[index],
+            normal: normals[index].or(own).unwrap_or_default(),
         });
         let part = self.part;
         self.mesh.triangles.push(Triangle { part, corners });

@@ -16,6 +16,16 @@ pub(super) struct NormalField {
     against: bool,
 }
 
+/// A unit normal at a place of a face.
+#[derive(Clone, Copy)]
+pub(super) struct PlaceNormal {
+    /// The normal; along D where its side is open.
+    pub(super) vector: [Double; 3],
+    /// Whether it is against D. Open where the factor is 0 and has both signs on the face: sides
+    /// that meet there may face opposite ways, as those of a cone on both sides of its apex.
+    pub(super) turned: Option<bool>,
+}
+
 impl NormalField {
     /// The normals of a face, or their opposites.
     pub(super) fn of(face: &Face, normal: &NormalVector, opposite: bool) -> Self {
@@ -44,9 +54,9 @@ impl NormalField {
     }
 
     /// The normal at a place of the unit square; none where it has no direction.
-    pub(super) fn at(&self, precision: Precision, u: &Real, v: &Real) -> Option<[Double; 3]> {
+    pub(super) fn at(&self, precision: Precision, u: &Real, v: &Real) -> Option<PlaceNormal> {
         let vector = self.direction.at_v(v).at(u);
-        nearest_unit(precision, &self.turned(vector, u, v))
+        self.directed(precision, vector, u, v)
     }
 
     /// The normals at places along both parameters.
@@ -55,23 +65,30 @@ impl NormalField {
         precision: Precision,
         u: &[Real],
         v: &[Real],
-        mut each: impl FnMut([usize; 2], Option<[Double; 3]>),
+        mut each: impl FnMut([usize; 2], Option<PlaceNormal>),
     ) {
         self.direction.grid(u, v, |i, j, vector| {
-            let vector = self.turned(vector, &u[i], &v[j]);
-            each([i, j], nearest_unit(precision, &vector));
+            each([i, j], self.directed(precision, vector, &u[i], &v[j]));
         });
     }
 
-    fn turned(&self, vector: [Numerator; 3], u: &Real, v: &Real) -> [Numerator; 3] {
-        let turned = self.turned.unwrap_or_else(|| {
+    fn directed(
+        &self,
+        precision: Precision,
+        vector: [Numerator; 3],
+        u: &Real,
+        v: &Real,
+    ) -> Option<PlaceNormal> {
+        let turned = self.turned.or_else(|| {
             let [factor] = self.factor.at_v(v).at(u);
-            factor.sign().is_lt() != self.against
+            let sign = factor.sign();
+            sign.is_ne().then(|| sign.is_lt() != self.against)
         });
-        if turned {
-            vector.map(|own| own.negated())
-        } else {
-            vector
-        }
+        let vector = match turned {
+            Some(true) => vector.map(|own| own.negated()),
+            _ => vector,
+        };
+        let vector = nearest_unit(precision, &vector)?;
+        Some(PlaceNormal { vector, turned })
     }
 }
