@@ -85,6 +85,26 @@ fn recovery_stops_at_misspelt_keywords() {
     assert_eq!(places, [")", "proflie", "expct", "("]);
 }
 
+/// Both are told: the value that is missing, and the keyword that the next declaration lacks.
+#[test]
+fn a_declaration_without_a_value_ends_before_the_next_without_a_keyword() {
+    let found = findings("param r\nlat b = 2\nlet d\nq = 2\nlet e = q");
+    let found: Vec<_> = found
+        .iter()
+        .map(|(_, marked, message)| (marked.as_str(), message.as_str()))
+        .collect();
+    let missing = ("", "expected `=`, found the end of the declaration");
+    assert_eq!(
+        found,
+        [
+            missing,
+            ("lat", "expected a declaration, found `lat`"),
+            missing,
+            ("q", "expected a declaration, found `q`"),
+        ]
+    );
+}
+
 #[test]
 fn at_most_fifty_errors_are_reported() {
     let (_, diagnostics) = parsed(&"let a = \n$".repeat(200));

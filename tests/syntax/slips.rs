@@ -147,6 +147,12 @@ const SLIPS: &[(Code, &str, &str)] = &[
         "import«»\nlet b = 2",
         "expected a string, found the end of the declaration",
     ),
+    (Code::E0006, "profile p(u)\n  «xz» = q", "write `in xz`"),
+    (
+        Code::E0006,
+        "let a\n  «b» + 2",
+        "write `=` before the value",
+    ),
     // on one line the keyword may be a word too many
     (
         Code::E0006,

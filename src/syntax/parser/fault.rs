@@ -1,6 +1,6 @@
 use nom::error::{ErrorKind, ParseError};
 
-use super::hint::{end_of, hinted};
+use super::hint::{end_of, hinted, is_over};
 use super::stream::{Source, Stream};
 use crate::diag::{Code, Diagnostic, Span};
 use crate::syntax::lexer::{Keyword, TokenKind};
@@ -19,6 +19,14 @@ impl Fault {
     pub(super) fn at(&self) -> usize {
         match self {
             Fault::Expected { at, .. } | Fault::Told { at, .. } => *at,
+        }
+    }
+
+    /// Whether another declaration begins where it stopped.
+    pub(super) fn is_at_the_end(&self, source: &Source<'_>) -> bool {
+        match self {
+            Fault::Expected { at, what } => is_over(source, *at, what),
+            Fault::Told { .. } => false,
         }
     }
 
@@ -79,7 +87,7 @@ fn unexpected(source: &Source<'_>, at: usize, what: &'static str) -> Option<Diag
         }
         _ => {}
     }
-    let (span, found) = match source.ends_declaration(at) {
+    let (span, found) = match is_over(source, at, what) {
         true => {
             let last = source.span(source.token(at - 1));
             (end_of(last), "the end of the declaration".to_owned())

@@ -56,11 +56,23 @@ fn hint(source: &Source<'_>, at: usize, what: &'static str) -> Option<String> {
         (_, "an expression") if before == Equal && source.ends_declaration(at) => {
             "write the value behind the `=`"
         }
-        (_, "`=`") if source.ends_declaration(at) => return Some(value_missing(source, at)),
+        (_, "`=`") if is_over(source, at, what) => return Some(value_missing(source, at)),
         (_, "`=`") => return equal_missing(source, at),
         _ => return None,
     };
     Some(help.to_owned())
+}
+
+/// Whether the declaration before an index, of which something is missing, goes no further: it
+/// ends there, or another one follows on a line of its own without its keyword.
+pub(super) fn is_over(source: &Source<'_>, at: usize, what: &str) -> bool {
+    let written = source.written(source.token(at));
+    let goes_on = PLANES.contains(&written)
+        || (nearly(written, "in") && is_plane(source, at + 1))
+        || (nearly(written, "on") && source.kind(at + 1) == TokenKind::OpenBracket);
+    let is_another = what == "`=`" && source.kind(at) == TokenKind::Name && !goes_on;
+    source.ends_declaration(at)
+        || (is_another && source.begins_line(at) && has_equal_later(source, at))
 }
 
 /// What to write where a declaration ends behind its head. Which value is for the author to say.

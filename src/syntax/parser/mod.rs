@@ -95,8 +95,12 @@ fn item<'a>(input: Stream<'a>, document: &mut Document) -> Stream<'a> {
         Err(nom::Err::Error(fault) | nom::Err::Failure(fault)) => {
             document.broken.extend(broken::declared(input));
             let at = fault.at().max(input.at + 1);
+            let is_at_the_end = fault.is_at_the_end(source);
             report(source, fault);
-            recovered(input, at)
+            match is_at_the_end {
+                true => input.moved_to(at),
+                false => recovered(input, at),
+            }
         }
         Err(nom::Err::Incomplete(_)) => recovered(input, input.at + 1),
     }
