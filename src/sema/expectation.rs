@@ -309,27 +309,17 @@ impl<'a> Lowerer<'a> {
             }
             _ => return None,
         };
-        let (message, kind, form, help) = match (quantity, value) {
+        let (what, kind, form, help) = match (quantity, value) {
             (Quantity::BiDegree { .. }, Value::Pair(_))
             | (Quantity::CommonFactor { .. }, Value::Scalar(_))
             | (Quantity::Value(_), _) => return None,
             (Quantity::BiDegree { .. }, _) => {
-                let message = "a bidegree compares with a pair";
-                (
-                    message,
-                    "a pair",
-                    "(m, n)",
-                    "the degree in u before that in v",
-                )
+                let help = "the degree in u before that in v";
+                ("bidegree", "a pair", "(m, n)", help)
             }
             (Quantity::CommonFactor { .. }, _) => {
-                let message = "a common factor compares with a polynomial";
-                (
-                    message,
-                    "a polynomial",
-                    "1",
-                    "or a polynomial in place of the `1`",
-                )
+                let help = "or a polynomial in place of the `1`";
+                ("common factor", "a polynomial", "1", help)
             }
         };
         let sign = match relation {
@@ -341,7 +331,8 @@ impl<'a> Lowerer<'a> {
             true => (written, form),
             false => (form, written),
         };
-        let message = format!("{message}, and this is {}", value.type_name());
+        let own = value.type_name();
+        let message = format!("a {what} compares with {kind}, and this is {own}");
         let finding = Diagnostic::new(Code::E0106, place.span, message);
         let finding = finding.related(asked.span, kind);
         Some(finding.help(format!("write `{left} {sign} {right}`, {help}")))
