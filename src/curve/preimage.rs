@@ -20,8 +20,7 @@ pub struct Preimage {
 
 impl PartialEq for Preimage {
     fn eq(&self, other: &Self) -> bool {
-        let parts = |own: &Self| (own.factor.clone(), own.real.clone(), own.imaginary.clone());
-        parts(self) == parts(other)
+        self.factor == other.factor && self.parts() == other.parts()
     }
 }
 

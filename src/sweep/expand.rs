@@ -7,7 +7,6 @@ use crate::number::{Field, Real, Tower};
 use crate::poly::{BiDegree, Fraction, Quotient};
 
 use super::bound::Counter;
-use super::rough::rough_degree;
 use super::square_root::{root_of_number, square_root};
 use super::{CurveProperty, Domain, Expanded, Form, NormalFault, Scalar, Vector, unit_normal};
 
@@ -82,10 +81,9 @@ impl<'a> Expander<'a> {
             (degree.u.max(degree.v), terms)
         };
         let fits = |(high, terms)| high <= self.limits.degree && terms <= self.limits.terms;
-        let known = expression.degree_at_most();
-        let known = known.map(|own| BiDegree::new(own, own));
-        let fits = |degree: Option<BiDegree>| degree.map(size).is_some_and(fits);
-        if fits(known) || fits(rough_degree(expression)) {
+        let bound = expression.degree_at_most();
+        let bound = bound.map(|own| BiDegree::new(own, own));
+        if bound.map(size).is_some_and(fits) {
             return Ok(());
         }
         let degree = self.counter.largest(expression);

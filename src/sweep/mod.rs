@@ -7,7 +7,6 @@ mod expand;
 mod expanded;
 mod expression;
 mod normal;
-mod rough;
 mod square_root;
 mod surface;
 
