@@ -49,14 +49,10 @@ impl RoundedNet {
                 )?);
                 let mut coordinate = |axis: usize| {
                     let word = || known?.coordinate_word(axis, (i, j), words?.1);
-                    let parts = || {
-                        let (point, divisor) = net.point_parts(i, j);
-                        (point[axis].clone(), divisor)
-                    };
                     rounding.quotient(
                         word(),
                         &|| known?.coordinate(axis, (i, j)),
-                        &parts,
+                        &|| net.coordinate_parts(axis, (i, j)),
                         &|| net.point(i, j)[axis].clone(),
                         &|| format!("{} of control point ({i}, {j})", ["x", "y", "z"][axis]),
                     )

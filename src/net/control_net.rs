@@ -192,12 +192,13 @@ impl ControlNet {
     #[must_use]
     pub fn points(&self) -> &[[Real; 3]] {
         self.points.get_or_init(|| {
-            let point = |control: &Control| {
-                let scale = inverse(&self.divisor(control));
+            let point = |(index, control): (usize, &Control)| {
+                let place = (index / self.columns(), index % self.columns());
+                let scale = inverse(&self.divisor(place));
                 let [_, point @ ..] = &control.coordinates;
                 point.each_ref().map(|own| whole(own).times(&scale))
             };
-            self.controls().iter().map(point).collect()
+            self.controls().iter().enumerate().map(point).collect()
         })
     }
 
@@ -211,20 +212,16 @@ impl ControlNet {
     /// The numerator and the divisor of weight (i, j); i < rows, j < columns.
     #[must_use]
     pub fn weight_parts(&self, i: usize, j: usize) -> (Numerator, Numerator) {
-        let control = self.control(i, j);
-        let divisor = self.first.scaled(&control.factor);
-        let [weight, ..] = control.into_owned().coordinates;
-        (weight, divisor)
+        let weight = self.coordinate(0, (i, j)).into_owned();
+        (weight, self.first.scaled(&self.factor((i, j))))
     }
 
-    /// The numerators of the coordinates of control point (i, j), and their divisor; i < rows,
+    /// The numerator and the divisor of a coordinate of control point (i, j), x for axis 0; i < rows,
     /// j < columns.
     #[must_use]
-    pub fn point_parts(&self, i: usize, j: usize) -> ([Numerator; 3], Numerator) {
-        let control = self.control(i, j);
-        let divisor = self.divisor(&control);
-        let [_, point @ ..] = control.into_owned().coordinates;
-        (point, divisor)
+    pub fn coordinate_parts(&self, axis: usize, (i, j): (usize, usize)) -> (Numerator, Numerator) {
+        let numerator = self.coordinate(axis + 1, (i, j)).into_owned();
+        (numerator, self.divisor((i, j)))
     }
 
     fn controls(&self) -> &[Control] {
@@ -232,20 +229,30 @@ impl ControlNet {
         self.controls.get_or_init(|| all().unwrap_or_default())
     }
 
-    fn control(&self, i: usize, j: usize) -> Cow<'_, Control> {
+    /// W, X, Y or Z of a control point, times its factor: one number, if the others are not
+    /// multiplied out yet.
+    fn coordinate(&self, axis: usize, (i, j): (usize, usize)) -> Cow<'_, Numerator> {
         match (&self.products, self.controls.get()) {
-            (Some(products), None) => Cow::Owned(products.control((i, j))),
-            _ => Cow::Borrowed(&self.controls()[i * self.columns() + j]),
+            (Some(products), None) => Cow::Owned(products.coordinate(axis, (i, j))),
+            _ => Cow::Borrowed(&self.controls()[i * self.columns() + j].coordinates[axis]),
+        }
+    }
+
+    /// The factor of a control point.
+    fn factor(&self, (i, j): (usize, usize)) -> Cow<'_, Integer> {
+        match (&self.products, self.controls.get()) {
+            (Some(products), None) => Cow::Owned(products.factor((i, j))),
+            _ => Cow::Borrowed(&self.controls()[i * self.columns() + j].factor),
         }
     }
 
     /// The weight of a point, or, where that is 0, the first weight with the factor of the point.
-    fn divisor(&self, control: &Control) -> Numerator {
-        let [weight, ..] = &control.coordinates;
+    fn divisor(&self, place: (usize, usize)) -> Numerator {
+        let weight = self.coordinate(0, place);
         if weight.is_zero() {
-            self.first.scaled(&control.factor)
+            self.first.scaled(&self.factor(place))
         } else {
-            weight.clone()
+            weight.into_owned()
         }
     }
 
@@ -255,10 +262,11 @@ impl ControlNet {
         if one == other {
             return true;
         }
-        let (left, first) = self.point_parts(one.0, one.1);
-        let (right, second) = self.point_parts(other.0, other.1);
-        let mut pairs = left.iter().zip(&right);
-        pairs.all(|(left, right)| left.times(&second) == right.times(&first))
+        let (first, second) = (self.divisor(one), self.divisor(other));
+        (1..=3).all(|axis| {
+            let (left, right) = (self.coordinate(axis, one), self.coordinate(axis, other));
+            left.times(&second) == right.times(&first)
+        })
     }
 
     /// The homogeneous control point (W, X, Y, Z)/W₀₀; i < rows, j < columns.

@@ -107,12 +107,9 @@ impl Products {
         sum
     }
 
-    /// Control point (i, j).
-    pub(super) fn control(&self, (i, j): (usize, usize)) -> Control {
-        Control {
-            coordinates: [0, 1, 2, 3].map(|axis| self.coordinate(axis, (i, j))),
-            factor: binomial(self.degree.u, i) * binomial(self.degree.v, j),
-        }
+    /// The factor of control point (i, j).
+    pub(super) fn factor(&self, (i, j): (usize, usize)) -> Integer {
+        binomial(self.degree.u, i) * binomial(self.degree.v, j)
     }
 
     /// All control points, i by i and j within i.
