@@ -1,6 +1,6 @@
 use std::rc::Rc;
 
-use crate::number::{Integer, Leading, LeadingWord, MachineList, Ring};
+use crate::number::{Integer, Leading, LeadingWord, MachineList, MachineNumbers, Ring};
 use crate::poly::binomials;
 
 use super::products::{Products, Term};
@@ -87,7 +87,7 @@ type Digits = Vec<Leading>;
 /// Σ fₖ[i] gₖ[j], by machine numbers where all sums are such, else by leading digits.
 #[derive(Debug)]
 enum Sum<'a> {
-    Machine(Vec<[&'a [i128]; 2]>),
+    Machine(Vec<[MachineNumbers<'a>; 2]>),
     Digits(Vec<(Digits, Rc<[Leading]>)>),
 }
 
@@ -97,7 +97,7 @@ impl<'a> Sum<'a> {
         let mut lists = Vec::with_capacity(terms.len());
         for Term { in_u, in_v } in terms {
             let pair = [in_u.machine()?, in_v.machine()?];
-            let bits: u32 = pair.iter().map(|own| own.bits()).sum();
+            let bits: u32 = pair.iter().map(|own| own.numbers().bits()).sum();
             if bits + terms.len().ilog2() >= i128::BITS - 2 {
                 return None;
             }
@@ -147,8 +147,9 @@ impl<'a> Sum<'a> {
 
 /// Σ fₖ[i] gₖ[j]
 #[inline]
-fn exact(terms: &[[&[i128]; 2]], i: usize, j: usize) -> i128 {
-    terms.iter().map(|[in_u, in_v]| in_u[i] * in_v[j]).sum()
+fn exact(terms: &[[MachineNumbers<'_>; 2]], i: usize, j: usize) -> i128 {
+    let products = terms.iter().map(|[in_u, in_v]| in_u.at(i) * in_v.at(j));
+    products.sum()
 }
 
 /// All of a list, if all are known.

@@ -95,7 +95,7 @@ impl Products {
         let terms = &self.terms[axis];
         let machine = terms.iter().try_fold(0_i128, |sum, term| {
             let [left, right] = [term.in_u.machine()?, term.in_v.machine()?];
-            sum.checked_add(left.numbers()[i].checked_mul(right.numbers()[j])?)
+            sum.checked_add(left.numbers().at(i).checked_mul(right.numbers().at(j))?)
         });
         if let Some(own) = machine {
             return Numerator::from_integer(&Integer::from(own));

@@ -1,14 +1,20 @@
-use super::{Field, Integer, Modulus, Ring, divisor};
+use super::machine_numbers::{DOUBLE, WORD, Width, each_width};
+use super::operators::machine_quotient;
+use super::{Field, Integer, MachineNumbers, Modulus, Ring, divisor};
 
 /// A list of machine numbers: the coefficients of most polynomials.
 ///
 /// Each operation has a bound for all its results; where these may be longer than a machine number
-/// there is no answer. So none asks of each sum how long it is.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct MachineList(Vec<i128>);
+/// there is no answer. So none asks of each sum how long it is, and words are added as words.
+#[derive(Clone, Debug)]
+pub struct MachineList(Form);
 
-/// The binary digits that every machine number may have; so −n is one too.
-const DIGITS: u32 = i128::BITS - 1;
+#[derive(Clone, Debug)]
+enum Form {
+    Words(Vec<i64>),
+    /// Of which some may be longer than a word.
+    Doubles(Vec<i128>),
+}
 
 /// The least common multiples of 1, …, n, for n below their number: machine numbers.
 const COMMON_MULTIPLES: [i128; 80] = {
@@ -25,6 +31,32 @@ const COMMON_MULTIPLES: [i128; 80] = {
     multiples
 };
 
+/// How the numbers of a new list are held, which have at most so many binary digits; no answer where
+/// they may be longer than a machine number.
+macro_rules! of_width {
+    ($bits:expr, $width:ident => $list:expr) => {
+        match $bits {
+            ..=WORD => {
+                type $width = i64;
+                Some(MachineList(Form::Words($list)))
+            }
+            ..=DOUBLE => {
+                type $width = i128;
+                Some(MachineList(Form::Doubles($list)))
+            }
+            _ => None,
+        }
+    };
+}
+
+impl PartialEq for MachineList {
+    fn eq(&self, other: &Self) -> bool {
+        self.numbers() == other.numbers()
+    }
+}
+
+impl Eq for MachineList {}
+
 impl MachineList {
     /// All of a list, if all are machine numbers.
     #[must_use]
@@ -33,229 +65,213 @@ impl MachineList {
         for own in list {
             numbers.push(own.as_integer()?.machine()?);
         }
-        Some(Self(numbers))
+        let bits = MachineNumbers::Doubles(&numbers).bits();
+        Self::collect(bits, numbers.iter().copied())
+    }
+
+    /// Numbers of which none has more binary digits than the given ones.
+    #[inline]
+    fn collect(bits: u32, numbers: impl Iterator<Item = i128>) -> Option<Self> {
+        of_width!(bits, Number => numbers.map(Number::of).collect())
     }
 
     /// The numerators of fractions over their least common denominator, and that.
     #[must_use]
     pub fn of_fractions<F: Field>(values: &[F]) -> Option<(Self, i128)> {
         let mut fractions = Vec::with_capacity(values.len());
-        let mut common = 1_i128;
+        let (mut common, mut longest) = (1_i128, 0);
         for own in values {
             let (above, below) = own.machine_parts()?;
             if below != common {
                 common = lcm(common, below)?;
             }
+            longest = longest.max(bits(above));
             fractions.push((above, below));
         }
-        let numerators = fractions.iter();
-        let longest = bits_of(numerators.clone().map(|own| own.0));
-        if longest + bits(&[common]) > DIGITS {
-            return None;
-        }
-        let scaled = numerators.map(|(above, below)| match common / below {
-            1 => *above,
-            factor => above * factor,
+        let scaled = fractions.iter().map(|(above, below)| {
+            if *below == common {
+                *above
+            } else {
+                above * machine_quotient(common, *below)
+            }
         });
-        Some((Self(scaled.collect()), common))
+        Some((Self::collect(longest + bits(common), scaled)?, common))
     }
 
     /// The numbers.
     #[must_use]
     #[inline]
-    pub fn numbers(&self) -> &[i128] {
-        &self.0
+    pub fn numbers(&self) -> MachineNumbers<'_> {
+        match &self.0 {
+            Form::Words(own) => MachineNumbers::Words(own),
+            Form::Doubles(own) => MachineNumbers::Doubles(own),
+        }
+    }
+
+    /// How many they are.
+    #[must_use]
+    #[inline]
+    pub fn len(&self) -> usize {
+        match &self.0 {
+            Form::Words(own) => own.len(),
+            Form::Doubles(own) => own.len(),
+        }
+    }
+
+    /// Whether there are none.
+    #[must_use]
+    #[inline]
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
     }
 
     /// The same numbers as elements of a ring.
     #[must_use]
     pub fn elements<R: Ring>(&self) -> Vec<R> {
-        self.0.iter().map(|own| element(*own)).collect()
+        self.numbers().iter().map(element).collect()
     }
 
     /// Without the zeros at its end.
     #[must_use]
     pub fn trimmed(mut self) -> Self {
-        while self.0.last() == Some(&0) {
-            self.0.pop();
+        fn trim<N: Width + PartialEq>(list: &mut Vec<N>) {
+            while list.last() == Some(&N::default()) {
+                list.pop();
+            }
+        }
+        match &mut self.0 {
+            Form::Words(own) => trim(own),
+            Form::Doubles(own) => trim(own),
         }
         self
-    }
-
-    /// The least b with −2ᵇ ≤ n < 2ᵇ for all numbers.
-    #[must_use]
-    pub fn bits(&self) -> u32 {
-        bits(&self.0)
     }
 
     /// The coefficients of the product of the polynomials with these coefficients, of which none is
     /// empty.
     #[must_use]
-    pub fn convolution(left: &[i128], right: &[i128]) -> Option<Self> {
+    pub fn convolution(left: MachineNumbers<'_>, right: MachineNumbers<'_>) -> Option<Self> {
         Self::products(&[(1, left, right)])
     }
 
     /// The coefficients of Σ fₖ pₖ qₖ for factors fₖ and polynomials with these coefficients, of which
     /// none is empty.
     #[must_use]
-    pub fn products(terms: &[(i128, &[i128], &[i128])]) -> Option<Self> {
+    pub fn products(terms: &[(i128, MachineNumbers<'_>, MachineNumbers<'_>)]) -> Option<Self> {
         let (mut longest, mut length, mut count) = (0, 0, 0_usize);
         for &(factor, left, right) in terms {
-            longest = longest.max(bits(left) + bits(right) + growth(factor));
+            longest = longest.max(left.bits() + right.bits() + growth(factor));
             length = length.max(left.len() + right.len() - 1);
             count += left.len().min(right.len());
         }
-        if longest + count.max(1).ilog2() + 1 > DIGITS {
-            return None;
-        }
-        let mut sums = vec![0_i128; length];
-        for &(factor, left, right) in terms {
-            // −2⁶³ · −1 is no word.
-            let first = bits(left) + growth(factor) + 1;
-            let are_words = first < i64::BITS && bits(right) < i64::BITS;
-            for (i, own) in left.iter().enumerate() {
-                let own = own * factor;
-                let places = sums[i..].iter_mut().zip(right);
-                if are_words {
-                    // One instruction multiplies two words.
-                    let own = i128::from(word(own));
-                    places.for_each(|(sum, other)| *sum += own * i128::from(word(*other)));
-                } else {
-                    places.for_each(|(sum, other)| *sum += own * other);
+        of_width!(longest + count.max(1).ilog2() + 1, Number => {
+            let mut sums = vec![Number::default(); length];
+            for &(factor, left, right) in terms {
+                for (i, own) in left.iter().enumerate() {
+                    right.add_multiple(own * factor, &mut sums[i..]);
                 }
             }
-        }
-        Some(Self(sums))
+            sums
+        })
     }
 
     /// All numbers divided by one that divides them all, and is not 0, times a factor.
     #[must_use]
     pub fn times_ratio(&self, factor: i128, divisor: i128) -> Option<Self> {
-        if self.bits() + bits(&[factor]) >= DIGITS {
+        let numbers = self.numbers();
+        let longest = numbers.bits() + growth(factor) + 1;
+        if longest > DOUBLE {
             return None;
         }
-        let numbers = self.0.iter();
-        Some(Self(if divisor == 1 {
-            numbers.map(|own| own * factor).collect()
-        } else if self.bits() < i64::BITS - 1 && bits(&[divisor]) < i64::BITS {
-            // One instruction divides words; −2⁶³/−1 is none.
-            let divisor = word(divisor);
-            let quotients = numbers.map(|own| i128::from(word(*own) / divisor));
-            quotients.map(|own| own * factor).collect()
-        } else {
-            numbers.map(|own| own / divisor * factor).collect()
-        }))
+        // |n/d| ≤ 2ᵇ⁻ᶜ⁺¹ for a divisor of c digits.
+        let longest = (longest + 1).saturating_sub(bits(divisor));
+        each_width!(numbers, list => {
+            let numbers = list.iter().map(|own| own.wide());
+            if divisor == 1 {
+                Self::collect(longest, numbers.map(|own| own * factor))
+            } else {
+                let quotients = numbers.map(|own| machine_quotient(own, divisor));
+                Self::collect(longest, quotients.map(|own| own * factor))
+            }
+        })
     }
 
     /// The greatest integer that divides all numbers, and a given one.
     #[must_use]
     pub fn content_with(&self, with: u128) -> u128 {
         let mut common = with;
-        for own in self.0.iter().rev() {
+        each_width!(self.numbers(), list => for own in list.iter().rev() {
             if common == 1 {
                 break;
             }
-            common = divisor::of_sizes(common, own.unsigned_abs());
-        }
+            common = divisor::of_sizes(common, own.wide().unsigned_abs());
+        });
         common
     }
 
     /// Σ fₖ aₖ for lists aₖ and factors fₖ; none where one is not known.
     #[must_use]
     pub fn combination<'a>(
-        terms: impl Iterator<Item = Option<(&'a [i128], i128)>> + Clone,
+        terms: impl Iterator<Item = Option<(MachineNumbers<'a>, i128)>> + Clone,
     ) -> Option<Self> {
         let (mut longest, mut length, mut count) = (0, 0, 0_usize);
         for term in terms.clone() {
             let (list, factor) = term?;
-            longest = longest.max(bits(list) + bits(&[factor]));
+            longest = longest.max(list.bits() + growth(factor));
             length = length.max(list.len());
             count += 1;
         }
-        if longest + count.max(1).ilog2() + 1 > DIGITS {
-            return None;
-        }
-        let mut sums = vec![0_i128; length];
-        for (list, factor) in terms.flatten() {
-            let places = sums.iter_mut().zip(list);
-            if factor == 1 {
-                places.for_each(|(sum, own)| *sum += own);
-            } else {
-                places.for_each(|(sum, own)| *sum += own * factor);
+        of_width!(longest + count.max(1).ilog2() + 1, Number => {
+            let mut sums = vec![Number::default(); length];
+            for (list, factor) in terms.flatten() {
+                list.add_multiple(factor, &mut sums);
             }
-        }
-        Some(Self(sums))
+            sums
+        })
     }
 
     /// The coefficients of Σ aₖ xᵏ (1+x)ⁿ⁻ᵏ for n + 1 numbers aₖ or fewer: additions only.
     ///
     /// |Σ| < 2ⁿ Σ |aₖ|
     #[must_use]
-    pub fn binomial_sums(powers: &[i128], degree: usize) -> Option<Self> {
+    pub fn binomial_sums(powers: MachineNumbers<'_>, degree: usize) -> Option<Self> {
         let growth = u32::try_from(degree).ok()?;
         let count = powers.len().max(1).ilog2() + 1;
-        if bits(powers).checked_add(growth)?.checked_add(count)? > DIGITS {
-            return None;
-        }
-        // Highest k last: f ← f (1+x) + aₖ xᵏ, beginning with the constant a₀.
-        let mut sums = vec![0_i128; degree + 1];
-        for order in 0..=degree {
-            let own = powers.get(order).copied().unwrap_or(0);
-            // Two at a time, so that neither has to be moved aside.
-            let mut below = 0;
-            let mut pairs = sums[..=order].chunks_exact_mut(2);
-            for pair in &mut pairs {
-                let [first, second] = [pair[0], pair[1]];
-                pair[0] = first + below;
-                pair[1] = second + first;
-                below = second;
-            }
-            if let [last] = pairs.into_remainder() {
-                *last += below;
-            }
-            sums[order] += own;
-        }
-        Some(Self(sums))
+        let longest = powers.bits().checked_add(growth)?.checked_add(count)?;
+        of_width!(longest, Number => binomial_sums::<Number>(powers, degree))
     }
 
     /// k aₖ for k ≥ 1: the coefficients of the derivative.
     #[must_use]
-    pub fn derivative(list: &[i128]) -> Option<Self> {
+    pub fn derivative(list: MachineNumbers<'_>) -> Option<Self> {
         let length = i128::try_from(list.len()).ok()?;
-        let fits = bits(list) + bits(&[length]) <= DIGITS;
-        fits.then(|| {
-            Self(
-                (1..)
-                    .zip(list.iter().skip(1))
-                    .map(|(k, own)| k * own)
-                    .collect(),
-            )
-        })
+        let terms = (0..).zip(list.iter()).skip(1);
+        Self::collect(list.bits() + bits(length), terms.map(|(k, own)| k * own))
     }
 
     /// m and the integers 0, m a₀, m a₁ / 2, m a₂ / 3, …: the coefficients of an antiderivative.
     #[must_use]
-    pub fn antiderivative(list: &[i128]) -> Option<(Self, i128)> {
+    pub fn antiderivative(list: MachineNumbers<'_>) -> Option<(Self, i128)> {
         let common = *COMMON_MULTIPLES.get(list.len())?;
-        if bits(list) + bits(&[common]) > DIGITS {
-            return None;
-        }
-        let terms = (1..).zip(list).map(|(power, own)| common / power * own);
-        Some((Self(std::iter::once(0).chain(terms).collect()), common))
+        let terms = (1..).zip(list.iter());
+        let terms = terms.map(|(power, own)| machine_quotient(common, power) * own);
+        let longest = list.bits() + bits(common);
+        let rise = Self::collect(longest, std::iter::once(0).chain(terms))?;
+        Some((rise, common))
     }
 
     /// f aₖ, but another number in the first place.
     #[must_use]
     pub fn with_first(&self, first: i128, factor: i128) -> Option<Self> {
-        let mut scaled = self.times_ratio(factor, 1)?;
-        *scaled.0.first_mut()? = first;
-        Some(scaled)
+        let numbers = self.numbers();
+        let longest = (numbers.bits() + growth(factor) + 1).max(bits(first));
+        let scaled = numbers.iter().skip(1).map(|own| own * factor);
+        Self::collect(longest, std::iter::once(first).chain(scaled))
     }
 
     /// Σ aₖ
     #[must_use]
-    pub fn total(list: &[i128]) -> Option<i128> {
-        let fits = bits(list) + list.len().max(1).ilog2() < DIGITS;
+    pub fn total(list: MachineNumbers<'_>) -> Option<i128> {
+        let fits = list.bits() + list.len().max(1).ilog2() < DOUBLE;
         fits.then(|| list.iter().sum())
     }
 
@@ -264,44 +280,71 @@ impl MachineList {
     /// |Δᵏb₀| ≤ 2ⁿ max |bᵢ|
     #[must_use]
     pub fn differences(&self) -> Option<Self> {
-        let growth = u32::try_from(self.0.len()).ok()?;
+        let numbers = self.numbers();
+        let growth = u32::try_from(numbers.len()).ok()?;
         // C(n, k) (n − k) < n 2ⁿ⁻¹ is there before a division.
-        if growth + growth.max(1).ilog2() > DIGITS {
+        if growth + growth.max(1).ilog2() > DOUBLE {
             return None;
         }
-        let fits = |list: &[i128]| {
-            bits(list)
-                .checked_add(growth)
-                .is_some_and(|own| own <= DIGITS)
-        };
-        if !fits(&self.0) {
-            return None;
-        }
-        let mut row = self.0.clone();
-        // Δᵏb₀ stays at place k.
-        for first in 1..row.len() {
-            for index in (first..row.len()).rev() {
-                row[index] -= row[index - 1];
-            }
-        }
+        let differences = of_width!(numbers.bits().checked_add(growth)?, Number => {
+            differences::<Number>(numbers)
+        })?;
         // C(n, k) ≤ 2ⁿ
-        if !fits(&row) {
-            return None;
-        }
+        let longest = differences.numbers().bits().checked_add(growth)?;
         let mut binomial = 1_i128;
-        for (left, (own, power)) in (0..row.len()).rev().zip(row.iter_mut().zip(1..)) {
-            *own *= binomial;
-            binomial = binomial * left as i128 / power;
-        }
-        Some(Self(row))
+        let left = (0..numbers.len()).rev().map(|own| own as i128);
+        let terms = differences.numbers().iter().zip(left.zip(1..));
+        let scaled = terms.map(|(own, (left, power))| {
+            let product = own * binomial;
+            binomial = machine_quotient(binomial * left, power);
+            product
+        });
+        Self::collect(longest, scaled)
     }
 
     /// The images modulo a prime.
     #[must_use]
     pub fn images(&self, modulus: &Modulus) -> Vec<u64> {
-        let numbers = self.0.iter();
-        numbers.map(|own| modulus.embed_machine(*own)).collect()
+        each_width!(self.numbers(), list => {
+            let numbers = list.iter().map(|own| own.wide());
+            numbers.map(|own| modulus.embed_machine(own)).collect()
+        })
     }
+}
+
+/// Highest k last: f ← f (1+x) + aₖ xᵏ, beginning with the constant a₀.
+fn binomial_sums<N: Width>(powers: MachineNumbers<'_>, degree: usize) -> Vec<N> {
+    let mut sums = vec![N::default(); degree + 1];
+    for order in 0..=degree {
+        // Two at a time, so that neither has to be moved aside.
+        let mut below = N::default();
+        let mut pairs = sums[..=order].chunks_exact_mut(2);
+        for pair in &mut pairs {
+            let [first, second] = [pair[0], pair[1]];
+            pair[0] = first + below;
+            pair[1] = second + first;
+            below = second;
+        }
+        if let [last] = pairs.into_remainder() {
+            *last += below;
+        }
+        if order < powers.len() {
+            sums[order] += N::of(powers.at(order));
+        }
+    }
+    sums
+}
+
+/// Δᵏb₀ at place k.
+fn differences<N: Width>(list: MachineNumbers<'_>) -> Vec<N> {
+    let mut row: Vec<N> = list.iter().map(N::of).collect();
+    for first in 1..row.len() {
+        for index in (first..row.len()).rev() {
+            let before = row[index - 1];
+            row[index] -= before;
+        }
+    }
+    row
 }
 
 /// A machine number as an element of a ring.
@@ -310,17 +353,10 @@ fn element<R: Ring>(own: i128) -> R {
     R::from_integer(&Integer::of_machine(own))
 }
 
-/// The least b with −2ᵇ ≤ n < 2ᵇ for all numbers.
+/// The least b with −2ᵇ ≤ n < 2ᵇ.
 #[inline]
-fn bits(list: &[i128]) -> u32 {
-    bits_of(list.iter().copied())
-}
-
-#[inline]
-fn bits_of(numbers: impl Iterator<Item = i128>) -> u32 {
-    // n, or −n − 1 for a negative one
-    let all = numbers.fold(0, |all, own| all | (own ^ (own >> DIGITS)));
-    u128::BITS - all.leading_zeros()
+fn bits(number: i128) -> u32 {
+    u128::BITS - (number ^ (number >> DOUBLE)).leading_zeros()
 }
 
 /// The least b with |n| ≤ 2ᵇ.
@@ -332,18 +368,8 @@ fn growth(factor: i128) -> u32 {
 /// The least common multiple of positive numbers.
 fn lcm(left: i128, right: i128) -> Option<i128> {
     let common = divisor::of_sizes(left.unsigned_abs(), right.unsigned_abs());
-    let factor = right / i128::try_from(common).ok()?;
-    if bits(&[left]) + bits(&[factor]) > DIGITS {
-        return None;
-    }
-    Some(left * factor)
-}
-
-/// A number that is known to be a word: the lower half of its digits.
-#[inline]
-fn word(own: i128) -> i64 {
-    let half = own.cast_unsigned() & u128::from(u64::MAX);
-    u64::try_from(half).unwrap_or_default().cast_signed()
+    let factor = machine_quotient(right, i128::try_from(common).ok()?);
+    (bits(left) + bits(factor) <= DOUBLE).then(|| left * factor)
 }
 
 #[cfg(test)]
@@ -351,8 +377,8 @@ mod tests {
     use super::*;
     use crate::number::Rational;
 
-    /// Lists of numbers near ±2ᵏ, 0 and ±1.
-    fn edges() -> Vec<Vec<i128>> {
+    /// Lists of numbers near ±2ᵏ, 0 and ±1: as double words, and as words where they are such.
+    fn edges() -> Vec<MachineList> {
         let number = |power: u32, index: usize| {
             let power = 1_i128 << power;
             match index % 7 {
@@ -373,20 +399,31 @@ mod tests {
                 (0..length).map(|own| number(power, place(own))).collect()
             })
         });
-        lists.collect()
+        lists.flat_map(|own: Vec<i128>| held(&own)).collect()
     }
 
-    fn whole(list: &[i128]) -> Vec<Integer> {
-        list.iter().copied().map(Integer::from).collect()
+    fn held(list: &[i128]) -> Vec<MachineList> {
+        let words: Result<Vec<i64>, _> = list.iter().map(|own| i64::try_from(*own)).collect();
+        let words = words.ok().map(Form::Words);
+        let doubles = Form::Doubles(list.to_vec());
+        words
+            .into_iter()
+            .chain([doubles])
+            .map(MachineList)
+            .collect()
+    }
+
+    fn whole(list: MachineNumbers<'_>) -> Vec<Integer> {
+        list.iter().map(Integer::from).collect()
     }
 
     /// An answer is the exact one, and where there is none some number is long.
-    fn agrees(answer: Option<&[i128]>, exact: &[Integer], margin: u64) {
+    fn agrees(answer: Option<&MachineList>, exact: &[Integer], margin: u64) {
         match answer {
-            Some(own) => assert_eq!(whole(own), exact),
+            Some(own) => assert_eq!(whole(own.numbers()), exact),
             None => {
                 let bits = exact.iter().map(Integer::bits).max().unwrap_or(0);
-                assert!(bits + margin > u64::from(DIGITS), "{exact:?}");
+                assert!(bits + margin > u64::from(DOUBLE), "{exact:?}");
             }
         }
     }
@@ -394,36 +431,37 @@ mod tests {
     #[test]
     fn multiples_and_sums_are_exact_or_none() {
         let factors = [1, -1, 3, -12, 1 << 40, -(1 << 62), (1 << 63) - 1, 1 << 100];
-        for (index, list) in edges().into_iter().enumerate() {
-            let (own, factor) = (MachineList(list.clone()), factors[index % factors.len()]);
+        let lists = edges();
+        for (index, own) in lists.iter().enumerate() {
+            let (list, factor) = (own.numbers(), factors[index % factors.len()]);
             let scaled = own.times_ratio(factor, 1);
-            let times = |list: &[i128]| -> Vec<Integer> {
+            let times = |list: MachineNumbers<'_>| -> Vec<Integer> {
                 let factor = Integer::from(factor);
                 whole(list).iter().map(|own| own * &factor).collect()
             };
-            agrees(scaled.as_ref().map(MachineList::numbers), &times(&list), 2);
+            agrees(scaled.as_ref(), &times(list), 2);
             if let Some(scaled) = scaled {
                 let back = scaled.times_ratio(-1, factor);
-                let opposite: Vec<i128> = list.iter().map(|own| -own).collect();
-                assert!(back.is_none_or(|own| own.numbers() == opposite));
+                let opposite = list.iter().map(|own| -own);
+                assert!(back.is_none_or(|own| own.numbers().iter().eq(opposite)));
                 let content = scaled.content_with(0);
                 assert!(content.is_multiple_of(factor.unsigned_abs()) || content == 0);
             }
-            let other = &edges()[(3 * index + 1) % 200];
-            let sum =
-                MachineList::combination([Some((&*list, factor)), Some((other, 1))].into_iter());
-            let mut exact = times(&list);
+            let other = lists[(3 * index + 1) % lists.len()].numbers();
+            let terms = [Some((list, factor)), Some((other, 1))];
+            let sum = MachineList::combination(terms.into_iter());
+            let mut exact = times(list);
             exact.resize(list.len().max(other.len()), Integer::from(0));
-            for (sum, own) in exact.iter_mut().zip(other) {
-                *sum = &*sum + Integer::from(*own);
+            for (sum, own) in exact.iter_mut().zip(other.iter()) {
+                *sum = &*sum + Integer::from(own);
             }
-            let longest = bits(&list) + bits(&[factor]);
+            let longest = list.bits() + bits(factor);
             match &sum {
                 Some(own) => assert_eq!(whole(own.numbers()), exact),
-                None => assert!(longest.max(bits(other)) + 2 > DIGITS),
+                None => assert!(longest.max(other.bits()) + 2 > DOUBLE),
             }
-            let total = MachineList::total(&list).map(Integer::from);
-            let exact = whole(&list)
+            let total = MachineList::total(list).map(Integer::from);
+            let exact = whole(list)
                 .iter()
                 .fold(Integer::from(0), |all, own| all + own);
             assert!(total.is_none_or(|own| own == exact));
@@ -433,27 +471,28 @@ mod tests {
     #[test]
     fn derivatives_and_differences_are_exact_or_none() {
         let binomials = [1, 8, 28, 56, 70, 56, 28, 8, 1_i128];
-        for list in edges() {
-            let (rise, common) = match MachineList::antiderivative(&list) {
+        for own in edges() {
+            let list = own.numbers();
+            let (rise, common) = match MachineList::antiderivative(list) {
                 Some((own, common)) => (own, common),
                 None => {
-                    assert!(bits(&list) + 12 > DIGITS);
+                    assert!(list.bits() + 12 > DOUBLE);
                     continue;
                 }
             };
             let slope = MachineList::derivative(rise.numbers());
-            let exact: Vec<Integer> = whole(&list)
+            let exact: Vec<Integer> = whole(list)
                 .iter()
                 .map(|own| own * Integer::from(common))
                 .collect();
-            agrees(slope.as_ref().map(MachineList::numbers), &exact, 5);
+            agrees(slope.as_ref(), &exact, 5);
             if list.len() == binomials.len() {
                 // Σ cₖ xᵏ (1+x)ⁿ⁻ᵏ leads back to C(n, i) bᵢ.
-                let powers = MachineList(list.clone()).differences();
+                let powers = own.differences();
                 let back = powers.and_then(|own| MachineList::binomial_sums(own.numbers(), 8));
                 let pairs = list.iter().zip(&binomials);
                 let scaled =
-                    pairs.map(|(own, binomial)| Integer::from(*own) * Integer::from(*binomial));
+                    pairs.map(|(own, binomial)| Integer::from(own) * Integer::from(*binomial));
                 assert!(back.is_none_or(|own| whole(own.numbers()).into_iter().eq(scaled)));
             }
         }
@@ -462,13 +501,13 @@ mod tests {
     #[test]
     fn long_lists_of_nothing_have_no_differences() {
         for length in [1, 2, 60, 119, 120, 121, 126, 127, 128, 300] {
-            let powers = MachineList(vec![0; length]).differences();
-            assert!(powers.is_none_or(|own| own.numbers() == vec![0; length]));
-            let mut last = vec![0; length];
-            last[length - 1] = 1;
+            let nothing = vec![0; length];
             // tⁿ, whose Bernstein coefficients are 0, …, 0, 1
-            let powers = MachineList(last.clone()).differences();
-            assert!(powers.is_none_or(|own| own.numbers() == last));
+            let mut last = nothing.clone();
+            last[length - 1] = 1;
+            for own in held(&nothing).iter().chain(&held(&last)) {
+                assert!(own.differences().is_none_or(|powers| powers == *own));
+            }
         }
     }
 
@@ -477,31 +516,39 @@ mod tests {
         let (lists, factors) = (edges(), [1, -1, 2, -2, 3, 1 << 62, -(1 << 63), 1 << 100]);
         for (index, list) in lists.iter().enumerate() {
             let factor = factors[index % factors.len()];
-            let others = [
-                &lists[(7 * index + 3) % lists.len()],
-                &lists[(index + 40) % lists.len()],
-            ];
+            let others = [7 * index + 3, index + 40].map(|own| lists[own % lists.len()].numbers());
+            let list = list.numbers();
             let terms = [(factor, list, others[0]), (1, others[1], list)];
-            let machine = terms.map(|(factor, left, right)| (factor, &left[..], &right[..]));
-            let length = |left: &[i128], right: &[i128]| left.len() + right.len() - 1;
-            let count = length(list, others[0]).max(length(list, others[1]));
-            let mut exact = vec![Integer::from(0); count];
+            let length = others.iter().map(|own| list.len() + own.len() - 1).max();
+            let mut exact = vec![Integer::from(0); length.unwrap_or(0)];
             for (factor, left, right) in terms {
                 for (i, own) in left.iter().enumerate() {
                     for (j, other) in right.iter().enumerate() {
-                        let product = Integer::from(factor) * Integer::from(*own);
-                        exact[i + j] = &exact[i + j] + product * Integer::from(*other);
+                        let product = Integer::from(factor) * Integer::from(own);
+                        exact[i + j] = &exact[i + j] + product * Integer::from(other);
                     }
                 }
             }
-            let sums = MachineList::products(&machine);
-            let longest = bits(list) + bits(others[0]) + growth(factor);
-            let longest = longest.max(bits(list) + bits(others[1]));
-            match sums {
+            let longest = list.bits() + others[0].bits() + growth(factor);
+            let longest = longest.max(list.bits() + others[1].bits());
+            match MachineList::products(&terms) {
                 Some(own) => assert_eq!(whole(own.numbers()), exact),
-                None => assert!(longest + 6 > DIGITS),
+                None => assert!(longest + 6 > DOUBLE),
             }
         }
+    }
+
+    #[test]
+    fn words_stay_words_where_their_bound_is_one() {
+        let words = |own: &MachineList| matches!(own.0, Form::Words(_));
+        let list = MachineList(Form::Words(vec![3, -(1 << 30), 0, 7]));
+        let square = MachineList::convolution(list.numbers(), list.numbers());
+        assert!(square.is_some_and(|own| words(&own)));
+        let product = |factor: i128| list.times_ratio(factor, 1);
+        assert!(product(1 << 32).is_some_and(|own| words(&own)));
+        assert!(product(1 << 33).is_some_and(|own| !words(&own)));
+        let back = product(1 << 33).and_then(|own| own.times_ratio(1, 1 << 33));
+        assert!(back.is_some_and(|own| words(&own) && own == list));
     }
 
     #[test]
@@ -519,10 +566,8 @@ mod tests {
             (vec![fraction(1, long), fraction(1, long - 1)], None),
         ] {
             let found = MachineList::of_fractions(&list);
-            assert_eq!(
-                found,
-                expected.map(|(own, below)| (MachineList(own), below))
-            );
+            let expected = expected.map(|(own, below)| (MachineList(Form::Doubles(own)), below));
+            assert_eq!(found, expected);
         }
     }
 }

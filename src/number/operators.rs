@@ -47,6 +47,18 @@ pub(super) fn machine_product(left: i128, right: i128) -> Option<i128> {
     (product != i128::MIN).then_some(product)
 }
 
+/// The quotient of machine numbers, truncated towards 0; the divisor is not 0.
+#[inline]
+pub(super) fn machine_quotient(left: i128, right: i128) -> i128 {
+    // One instruction divides words; −2⁶³/−1 is none.
+    if let (Ok(left), Ok(right)) = (i64::try_from(left), i64::try_from(right))
+        && let Some(quotient) = left.checked_div(right)
+    {
+        return quotient.into();
+    }
+    left / right
+}
+
 fn product(left: &Integer, right: &Integer) -> Integer {
     Integer::of_long(match (left.form(), right.form()) {
         (Form::Machine(left), Form::Machine(right)) => {
@@ -68,12 +80,7 @@ fn quotient(left: &Integer, right: &Integer) -> Integer {
         return left.clone();
     }
     if let (Form::Machine(left), Form::Machine(right)) = (left.form(), right.form()) {
-        if let (Ok(left), Ok(right)) = (i64::try_from(*left), i64::try_from(*right))
-            && let Some(quotient) = left.checked_div(right)
-        {
-            return Integer::of_machine(quotient.into());
-        }
-        return Integer::of_machine(left / right);
+        return Integer::of_machine(machine_quotient(*left, *right));
     }
     if let (Form::Long(left), Form::Machine(right)) = (left.form(), right.form())
         && let Ok(word) = i64::try_from(*right)

@@ -74,7 +74,7 @@ impl<R: Ring> Numerators<R> {
     #[inline]
     pub(super) fn len(&self) -> usize {
         match &self.0 {
-            Form::Machine(own) => own.list.numbers().len(),
+            Form::Machine(own) => own.list.len(),
             Form::Ring(own) => own.len(),
             Form::Product(own) => own.product.len(),
         }
@@ -82,37 +82,32 @@ impl<R: Ring> Numerators<R> {
 
     /// The coefficient of the lowest power; none for an empty list.
     pub(super) fn first(&self) -> Option<Cow<'_, R>> {
-        self.end(|list| list.first(), <[R]>::first)
+        self.end(|_| 0)
     }
 
     /// The coefficient of the highest power; none for an empty list.
     pub(super) fn last(&self) -> Option<Cow<'_, R>> {
-        self.end(|list| list.last(), <[R]>::last)
+        self.end(|length| length - 1)
     }
 
     /// One of them, without the others as elements of the ring.
     #[must_use]
     pub fn at(&self, index: usize) -> Cow<'_, R> {
         match self.machine() {
-            Some(own) => Cow::Owned(R::from_integer(&Integer::from(own.numbers()[index]))),
+            Some(own) => Cow::Owned(R::from_integer(&Integer::from(own.numbers().at(index)))),
             None => Cow::Borrowed(&self[index]),
         }
     }
 
-    fn end(
-        &self,
-        of_machine: fn(&[i128]) -> Option<&i128>,
-        of_ring: fn(&[R]) -> Option<&R>,
-    ) -> Option<Cow<'_, R>> {
-        if let Some(own) = self.machine() {
-            let own = Integer::from(*of_machine(own.numbers())?);
-            return Some(Cow::Owned(R::from_integer(&own)));
+    /// The coefficient at a place that a factor of a product has it at, too: the first or the last.
+    fn end(&self, place: fn(usize) -> usize) -> Option<Cow<'_, R>> {
+        if self.len() == 0 {
+            return None;
         }
         let Some(own) = self.factors() else {
-            return of_ring(self).map(Cow::Borrowed);
+            return Some(self.at(place(self.len())));
         };
-        let left = own.left.end(of_machine, of_ring)?;
-        let right = own.right.end(of_machine, of_ring)?;
+        let (left, right) = (own.left.end(place)?, own.right.end(place)?);
         Some(Cow::Owned(left.times(&right).divided(&own.divisor)))
     }
 

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 use std::fmt;
 use std::rc::Rc;
 
-use crate::number::{Field, Integer, MachineList, Place, Ring, lcm};
+use crate::number::{Field, Integer, MachineList, MachineNumbers, Place, Ring, lcm};
 
 use super::numerators::Numerators;
 
@@ -78,7 +78,8 @@ impl<F: Field> UniPoly<F> {
 
     /// From parts in lowest terms.
     pub(super) fn of_parts(numerators: Numerators<F::Ring>, denominator: Integer) -> Self {
-        let is_one = |own: &MachineList| own.numbers() == [1] && denominator.is_one();
+        let is_one =
+            |own: &MachineList| own.numbers() == MachineNumbers::ONE && denominator.is_one();
         Self(match numerators.machine() {
             Some(own) if own.numbers().is_empty() => Form::Zero,
             Some(own) if is_one(own) => Form::One,
@@ -127,10 +128,10 @@ impl<F: Field> UniPoly<F> {
 
     /// The numerators, if they are held as machine numbers.
     #[inline]
-    pub(super) fn machine(&self) -> Option<&[i128]> {
+    pub(super) fn machine(&self) -> Option<MachineNumbers<'_>> {
         match &self.0 {
-            Form::Zero => Some(&[]),
-            Form::One => Some(&[1]),
+            Form::Zero => Some(MachineNumbers::NONE),
+            Form::One => Some(MachineNumbers::ONE),
             Form::Other(own) => own.numerators.machine().map(MachineList::numbers),
         }
     }
@@ -149,6 +150,7 @@ impl<F: Field> UniPoly<F> {
         }
     }
 
+    #[inline]
     fn length(&self) -> usize {
         match &self.0 {
             Form::Zero => 0,
