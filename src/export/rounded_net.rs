@@ -1,5 +1,5 @@
 use crate::diag::Code;
-use crate::net::ControlNet;
+use crate::net::{ControlNet, LeadingPoints};
 use crate::number::{Field, Rational, Real};
 
 use super::approx::magnitude;
@@ -31,31 +31,23 @@ impl RoundedNet {
         let knots_v = rounding.knots(net.knots_v(), "v")?;
         let known = net.leading();
         let known = known.as_ref();
-        let mut weights = Vec::with_capacity(net.rows());
-        let mut points = Vec::with_capacity(net.rows());
-        for i in 0..net.rows() {
-            let mut row = (
-                Vec::with_capacity(net.columns()),
-                Vec::with_capacity(net.columns()),
-            );
-            for j in 0..net.columns() {
-                let words = known.and_then(|own| own.weight_word(i, j));
-                row.0.push(rounding.quotient(
-                    words.map(|(weight, _)| weight),
-                    &|| known?.weight(i, j),
-                    &|| net.weight_parts(i, j),
-                    &|| net.weight(i, j).clone(),
-                    &|| format!("weight ({i}, {j})"),
-                )?);
+        let (rows, columns) = (net.rows(), net.columns());
+        let (mut weights, mut points) = (Vec::with_capacity(rows), Vec::with_capacity(rows));
+        for i in 0..rows {
+            let mut row = (Vec::with_capacity(columns), Vec::with_capacity(columns));
+            for place in (0..columns).map(|j| (i, j)) {
+                let words = known.and_then(|own| own.weight_word(place));
+                let quick = words.and_then(|(weight, _)| Double::nearest_to_word(weight));
+                row.0.push(match quick {
+                    Some(weight) => weight,
+                    None => weight(&mut rounding, net, known, place)?,
+                });
                 let mut coordinate = |axis: usize| {
-                    let word = || known?.coordinate_word(axis, (i, j), words?.1);
-                    rounding.quotient(
-                        word(),
-                        &|| known?.coordinate(axis, (i, j)),
-                        &|| net.coordinate_parts(axis, (i, j)),
-                        &|| net.point(i, j)[axis].clone(),
-                        &|| format!("{} of control point ({i}, {j})", ["x", "y", "z"][axis]),
-                    )
+                    let word = || known?.coordinate_word(axis, place, words?.1);
+                    match word().and_then(Double::nearest_to_word) {
+                        Some(own) => Ok(own),
+                        None => coordinate(&mut rounding, net, known, axis, place),
+                    }
                 };
                 row.1.push([coordinate(0)?, coordinate(1)?, coordinate(2)?]);
             }
@@ -192,4 +184,37 @@ impl RoundedNet {
         pairs.sort_unstable_by_key(|(_, later)| *later);
         pairs
     }
+}
+
+/// A weight, where its leading word does not decide.
+#[cold]
+fn weight(
+    rounding: &mut Rounding,
+    net: &ControlNet,
+    known: Option<&LeadingPoints<'_>>,
+    (i, j): (usize, usize),
+) -> Result<Double, ExportFault> {
+    rounding.quotient(
+        known.and_then(|own| own.weight((i, j))),
+        &|| net.weight_parts(i, j),
+        &|| net.weight(i, j).clone(),
+        &|| format!("weight ({i}, {j})"),
+    )
+}
+
+/// A coordinate of a point, where its leading word does not decide.
+#[cold]
+fn coordinate(
+    rounding: &mut Rounding,
+    net: &ControlNet,
+    known: Option<&LeadingPoints<'_>>,
+    axis: usize,
+    (i, j): (usize, usize),
+) -> Result<Double, ExportFault> {
+    rounding.quotient(
+        known.and_then(|own| own.coordinate(axis, (i, j))),
+        &|| net.coordinate_parts(axis, (i, j)),
+        &|| net.point(i, j)[axis].clone(),
+        &|| format!("{} of control point ({i}, {j})", ["x", "y", "z"][axis]),
+    )
 }

@@ -1,6 +1,6 @@
 use crate::diag::Code;
 use crate::net::Knots;
-use crate::number::{Field, Leading, LeadingWord, Rational, Real, Ring};
+use crate::number::{Field, Leading, Rational, Real, Ring};
 
 use super::approx::magnitude;
 use super::{Double, ExportFault, Precision};
@@ -28,35 +28,21 @@ impl Rounding {
         Ok(double)
     }
 
-    /// The double nearest to n/d, by its leading word or its leading digits where they decide. The
-    /// exact quotient is only divided out for a message.
+    /// The double nearest to n/d, by its leading digits where they decide. The exact quotient is only
+    /// divided out for a message.
     ///
     /// - **errors** a number beyond the last double (E0306)
-    #[inline]
     pub(super) fn quotient(
         &mut self,
-        word: Option<LeadingWord>,
-        leading: &dyn Fn() -> Option<Leading>,
+        leading: Option<Leading>,
         parts: &dyn Fn() -> (Numerator, Numerator),
         exact: &dyn Fn() -> Real,
         what: &dyn Fn() -> String,
     ) -> Result<Double, ExportFault> {
         // What these decide is 0 or normal.
-        if let Some(double) = word.and_then(Double::nearest_to_word) {
+        if let Some(double) = leading.and_then(Double::nearest_to_leading) {
             return Ok(double);
         }
-        if let Some(double) = leading().and_then(Double::nearest_to_leading) {
-            return Ok(double);
-        }
-        self.exact_quotient(parts, exact, what)
-    }
-
-    fn exact_quotient(
-        &mut self,
-        parts: &dyn Fn() -> (Numerator, Numerator),
-        exact: &dyn Fn() -> Real,
-        what: &dyn Fn() -> String,
-    ) -> Result<Double, ExportFault> {
         let (numerator, divisor) = parts();
         let double = Double::nearest_quotient(Precision::Double, &numerator, &divisor);
         let double = double.ok_or_else(|| too_large(&exact(), &what()))?;

@@ -1,7 +1,8 @@
 use std::borrow::Cow;
+use std::cell::OnceCell;
 use std::rc::Rc;
 
-use crate::number::{Field, Integer, Real, Ring, lcm};
+use crate::number::{Field, Integer, MachineList, Real, Ring, lcm};
 use crate::poly::{BiDegree, BiPoly, Numerators, UniPoly, binomial, binomials};
 
 use super::scaled_form::ScaledForm;
@@ -30,6 +31,8 @@ pub(super) struct Products {
     degree: BiDegree,
     /// The terms of W, X, Y, Z.
     terms: [Vec<Term>; 4],
+    /// The sums of W, X, Y, Z at all points, once asked for, if they are machine numbers.
+    sums: [OnceCell<Option<MachineList>>; 4],
 }
 
 /// fₖ and gₖ; terms share what was converted once.
@@ -87,11 +90,34 @@ impl Products {
             });
             scaled.collect()
         });
-        Self { degree, terms }
+        Self {
+            degree,
+            terms,
+            sums: Default::default(),
+        }
+    }
+
+    /// The coordinates of an axis, W first, at all points, i by i and j within i, if they are machine
+    /// numbers; each times the factor of its point.
+    pub(super) fn sums(&self, axis: usize) -> Option<&MachineList> {
+        let find = || {
+            let terms = self.terms[axis].iter();
+            let lists = terms.map(|own| {
+                let (in_u, in_v) = (own.in_u.machine()?, own.in_v.machine()?);
+                Some([in_u.numbers(), in_v.numbers()])
+            });
+            let size = (self.degree.u + 1, self.degree.v + 1);
+            MachineList::outer_products(&lists.collect::<Option<Vec<_>>>()?, size)
+        };
+        self.sums[axis].get_or_init(find).as_ref()
     }
 
     /// The coordinate of an axis, W first, at (i, j), times the factor of the point.
     pub(super) fn coordinate(&self, axis: usize, (i, j): (usize, usize)) -> Numerator {
+        if let Some(Some(own)) = self.sums[axis].get() {
+            let own = own.numbers().at(i * (self.degree.v + 1) + j);
+            return Numerator::from_integer(&Integer::from(own));
+        }
         let terms = &self.terms[axis];
         let machine = terms.iter().try_fold(0_i128, |sum, term| {
             let [left, right] = [term.in_u.machine()?, term.in_v.machine()?];

@@ -126,12 +126,13 @@ impl LeadingWord {
             return Some(Self::ZERO);
         }
         let error = self.error + other.error + 1;
-        let zeros = product.leading_zeros();
+        // Of two numbers of 64 digits the product has 127 or 128.
+        let short = u64::from(product < 1 << 127);
         Self {
             negative: self.negative != other.negative,
-            mantissa: high_word(product << zeros),
-            error: (error << zeros) + 1,
-            exponent: self.exponent + other.exponent + 64 - i64::from(zeros),
+            mantissa: high_word(product << short),
+            error: (error << short) + 1,
+            exponent: self.exponent + other.exponent + 64 - short.cast_signed(),
         }
         .limited()
     }

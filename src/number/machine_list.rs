@@ -174,6 +174,25 @@ impl MachineList {
         })
     }
 
+    /// Σ aₖ[i] bₖ[j] for as many rows i and columns j, row by row.
+    #[must_use]
+    pub fn outer_products(
+        terms: &[[MachineNumbers<'_>; 2]],
+        (rows, columns): (usize, usize),
+    ) -> Option<Self> {
+        let bits = |[left, right]: &[MachineNumbers<'_>; 2]| left.bits() + right.bits();
+        let longest = terms.iter().map(bits).max().unwrap_or(0);
+        of_width!(longest + terms.len().max(1).ilog2() + 1, Number => {
+            let mut sums = vec![Number::default(); rows * columns];
+            for [left, right] in terms {
+                for (own, row) in left.iter().zip(sums.chunks_exact_mut(columns)) {
+                    right.add_multiple(own, row);
+                }
+            }
+            sums
+        })
+    }
+
     /// All numbers divided by one that divides them all, and is not 0, times a factor.
     #[must_use]
     pub fn times_ratio(&self, factor: i128, divisor: i128) -> Option<Self> {
