@@ -333,10 +333,10 @@ fn inverse(divisor: &Numerator) -> Real {
 
 /// A control point as integers.
 fn over_one_denominator(coordinates: [Real; 4]) -> Control {
-    let parts = coordinates.map(|own| own.parts());
+    let parts = coordinates.each_ref().map(Field::parts);
     let denominators = parts.iter().map(|(_, below)| below);
     let factor = denominators.fold(Integer::one(), |all, below| lcm(&all, below));
-    let coordinates = parts.map(|(numerator, below)| numerator.scaled(&(&factor / &below)));
+    let coordinates = parts.map(|(numerator, below)| numerator.scaled(&(&factor / below)));
     Control {
         coordinates,
         factor,

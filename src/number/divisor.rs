@@ -28,6 +28,14 @@ fn of_machine(left: i128, right: i128) -> Integer {
     of_sizes(left.unsigned_abs(), right.unsigned_abs()).into()
 }
 
+/// The greatest common divisor of machine numbers, of which the second is positive.
+#[must_use]
+#[inline]
+pub fn machine_gcd(left: i128, right: i128) -> i128 {
+    // It is no greater than the second.
+    of_sizes(left.unsigned_abs(), right.unsigned_abs()).cast_signed()
+}
+
 /// The greatest common divisor of double words.
 pub(super) fn of_sizes(left: u128, right: u128) -> u128 {
     let (lesser, greater) = (left.min(right), left.max(right));

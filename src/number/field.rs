@@ -94,7 +94,9 @@ pub trait Field: Clone + PartialEq + Eq + Ord + Debug + Display + Send + Sync + 
         Self::from_parts(Self::Ring::from_integer(value), <Integer as Ring>::one())
     }
     /// The numerator and the positive denominator, in lowest terms.
-    fn parts(&self) -> (Self::Ring, Integer);
+    fn parts(&self) -> (&Self::Ring, &Integer);
+    /// The same of a number that is not needed any more.
+    fn into_parts(self) -> (Self::Ring, Integer);
     /// The same as machine numbers, if both are.
     fn machine_parts(&self) -> Option<(i128, i128)>;
     /// 0

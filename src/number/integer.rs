@@ -10,15 +10,25 @@ use super::{Basis, Leading, Place, Ring, binomial_sums, convolution, gcd, halves
 ///
 /// Below 2¹²⁷ in absolute value it is a machine number, which needs no memory of its own; most
 /// coefficients stay there. Equality of values is equality of representations.
-#[derive(Clone, PartialEq, Eq, Hash)]
+#[derive(PartialEq, Eq, Hash)]
 pub struct Integer(Form);
 
-#[derive(Clone, PartialEq, Eq, Hash)]
+#[derive(PartialEq, Eq, Hash)]
 pub(super) enum Form {
     /// n ≠ −2¹²⁷, so that −n is one too.
     Machine(i128),
     /// Beyond that.
     Long(BigInt),
+}
+
+impl Clone for Integer {
+    #[inline]
+    fn clone(&self) -> Self {
+        match &self.0 {
+            Form::Machine(own) => Self(Form::Machine(*own)),
+            Form::Long(own) => Self(Form::Long(own.clone())),
+        }
+    }
 }
 
 impl Integer {

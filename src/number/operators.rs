@@ -18,22 +18,24 @@ fn machine(result: Option<i128>) -> Option<Integer> {
         .map(Integer::of_machine)
 }
 
+#[inline]
 fn sum(left: &Integer, right: &Integer) -> Integer {
     if let (Form::Machine(left), Form::Machine(right)) = (left.form(), right.form())
         && let Some(sum) = machine(left.checked_add(*right))
     {
         return sum;
     }
-    Integer::of_long(by_reference(left, right, |left, right| left + right))
+    by_reference(left, right, |left, right| left + right)
 }
 
+#[inline]
 fn difference(left: &Integer, right: &Integer) -> Integer {
     if let (Form::Machine(left), Form::Machine(right)) = (left.form(), right.form())
         && let Some(difference) = machine(left.checked_sub(*right))
     {
         return difference;
     }
-    Integer::of_long(by_reference(left, right, |left, right| left - right))
+    by_reference(left, right, |left, right| left - right)
 }
 
 /// The product of machine numbers, if it is one.
@@ -49,7 +51,8 @@ pub(super) fn machine_product(left: i128, right: i128) -> Option<i128> {
 
 /// The quotient of machine numbers, truncated towards 0; the divisor is not 0.
 #[inline]
-pub(super) fn machine_quotient(left: i128, right: i128) -> i128 {
+#[must_use]
+pub fn machine_quotient(left: i128, right: i128) -> i128 {
     // One instruction divides words; −2⁶³/−1 is none.
     if let (Ok(left), Ok(right)) = (i64::try_from(left), i64::try_from(right))
         && let Some(quotient) = left.checked_div(right)
@@ -59,7 +62,17 @@ pub(super) fn machine_quotient(left: i128, right: i128) -> i128 {
     left / right
 }
 
+#[inline]
 fn product(left: &Integer, right: &Integer) -> Integer {
+    if let (Form::Machine(left), Form::Machine(right)) = (left.form(), right.form())
+        && let (Ok(left), Ok(right)) = (i64::try_from(*left), i64::try_from(*right))
+    {
+        return Integer::of_machine(i128::from(left) * i128::from(right));
+    }
+    long_product(left, right)
+}
+
+fn long_product(left: &Integer, right: &Integer) -> Integer {
     Integer::of_long(match (left.form(), right.form()) {
         (Form::Machine(left), Form::Machine(right)) => {
             if let Some(product) = machine_product(*left, *right) {
@@ -75,6 +88,7 @@ fn product(left: &Integer, right: &Integer) -> Integer {
 }
 
 /// Truncated towards 0, like the quotient of machine numbers.
+#[inline]
 fn quotient(left: &Integer, right: &Integer) -> Integer {
     if Ring::is_one(right) {
         return left.clone();
@@ -87,10 +101,11 @@ fn quotient(left: &Integer, right: &Integer) -> Integer {
     {
         return Integer::of_long(left / word);
     }
-    Integer::of_long(by_reference(left, right, |left, right| left / right))
+    by_reference(left, right, |left, right| left / right)
 }
 
 /// With the sign of the dividend.
+#[inline]
 fn remainder(left: &Integer, right: &Integer) -> Integer {
     if let (Form::Machine(left), Form::Machine(right)) = (left.form(), right.form()) {
         if let (Ok(left), Ok(right)) = (i64::try_from(*left), i64::try_from(*right))
@@ -100,45 +115,50 @@ fn remainder(left: &Integer, right: &Integer) -> Integer {
         }
         return Integer::of_machine(left % right);
     }
-    Integer::of_long(by_reference(left, right, |left, right| left % right))
+    by_reference(left, right, |left, right| left % right)
 }
 
 /// An operation on long numbers, without a copy of those that are long already.
+#[cold]
 fn by_reference(
     left: &Integer,
     right: &Integer,
-    operation: impl Fn(&BigInt, &BigInt) -> BigInt,
-) -> BigInt {
-    match (left.form(), right.form()) {
+    operation: fn(&BigInt, &BigInt) -> BigInt,
+) -> Integer {
+    Integer::of_long(match (left.form(), right.form()) {
         (Form::Long(left), Form::Long(right)) => operation(left, right),
         (Form::Long(left), Form::Machine(right)) => operation(left, &(*right).into()),
         (Form::Machine(left), Form::Long(right)) => operation(&(*left).into(), right),
         (Form::Machine(left), Form::Machine(right)) => operation(&(*left).into(), &(*right).into()),
-    }
+    })
 }
 
 macro_rules! operators {
     ($($trait:ident $method:ident $function:ident $assign:ident $assign_method:ident;)*) => {$(
         impl $trait<&Integer> for &Integer {
             type Output = Integer;
+            #[inline]
             fn $method(self, other: &Integer) -> Integer {
                 $function(self, other)
             }
         }
         impl $trait<Integer> for &Integer {
             type Output = Integer;
+            #[inline]
             fn $method(self, other: Integer) -> Integer {
                 $function(self, &other)
             }
         }
         impl $trait<&Integer> for Integer {
             type Output = Integer;
+            #[inline]
             fn $method(self, other: &Integer) -> Integer {
                 $function(&self, other)
             }
         }
         impl $trait for Integer {
             type Output = Integer;
+            #[inline]
             fn $method(self, other: Integer) -> Integer {
                 $function(&self, &other)
             }

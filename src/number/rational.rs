@@ -186,8 +186,13 @@ impl Field for Rational {
         Self::new(numerator, denominator)
     }
 
-    fn parts(&self) -> (Integer, Integer) {
-        (self.numerator().clone(), self.denominator().clone())
+    #[inline]
+    fn parts(&self) -> (&Integer, &Integer) {
+        (self.numerator(), self.denominator())
+    }
+
+    fn into_parts(self) -> (Integer, Integer) {
+        self.0.into_raw()
     }
 
     fn machine_parts(&self) -> Option<(i128, i128)> {

@@ -223,8 +223,13 @@ impl Field for Surd {
         Self::lowest(numerator, denominator)
     }
 
-    fn parts(&self) -> (SurdInteger, Integer) {
-        (self.numerator.clone(), self.denominator.clone())
+    #[inline]
+    fn parts(&self) -> (&SurdInteger, &Integer) {
+        (&self.numerator, &self.denominator)
+    }
+
+    fn into_parts(self) -> (SurdInteger, Integer) {
+        (self.numerator, self.denominator)
     }
 
     #[inline]
@@ -285,6 +290,18 @@ impl Field for Surd {
     }
 
     fn inverse(&self) -> Option<Self> {
+        if let SurdInteger::Rational(own) = &self.numerator {
+            // In lowest terms as it stands.
+            let (above, below) = match Ring::sign(own) {
+                Ordering::Greater => (self.denominator.clone(), own.clone()),
+                Ordering::Less => (-&self.denominator, -own),
+                Ordering::Equal => return None,
+            };
+            return Some(Self {
+                numerator: SurdInteger::Rational(above),
+                denominator: below,
+            });
+        }
         let (numerator, denominator) = self.numerator.inverse()?;
         Some(Self::lowest(
             numerator.scaled(&self.denominator),
@@ -320,7 +337,7 @@ impl Ord for Surd {
 
 impl From<Rational> for Surd {
     fn from(value: Rational) -> Self {
-        let (numerator, denominator) = value.parts();
+        let (numerator, denominator) = value.into_parts();
         Self {
             numerator: SurdInteger::Rational(numerator),
             denominator,

@@ -94,7 +94,7 @@ pub fn de_casteljau<F: Field>(coefficients: &[F], at: &F) -> F {
 pub fn subdivide<F: Field>(coefficients: &[F], at: &F) -> (Vec<F>, Vec<F>) {
     let (mut row, mut denominator) = common_numerators(coefficients);
     let (weight, scale) = at.parts();
-    let complement = F::Ring::from_integer(&scale).minus(&weight);
+    let complement = F::Ring::from_integer(scale).minus(weight);
     let (mut left, mut right) = (Vec::new(), Vec::new());
     while let (Some(first), Some(last)) = (row.first(), row.last()) {
         left.push(F::from_parts(first.clone(), denominator.clone()));
@@ -103,11 +103,11 @@ pub fn subdivide<F: Field>(coefficients: &[F], at: &F) -> (Vec<F>, Vec<F>) {
             .windows(2)
             .map(|pair| {
                 let mut value = pair[0].times(&complement);
-                value.add_product(&pair[1], &weight);
+                value.add_product(&pair[1], weight);
                 value
             })
             .collect();
-        denominator *= &scale;
+        denominator *= scale;
     }
     right.reverse();
     (left, right)
@@ -166,7 +166,7 @@ fn common_numerators<F: Field>(values: &[F]) -> (Vec<F::Ring>, Integer) {
         .fold(Integer::from(1), |common, (_, own)| lcm(&common, own));
     let numerators = parts
         .iter()
-        .map(|(numerator, own)| numerator.scaled(&(&common / own)));
+        .map(|(numerator, own)| numerator.scaled(&(&common / *own)));
     (numerators.collect(), common)
 }
 

@@ -2,7 +2,7 @@ use std::ops::{Mul, Neg};
 
 use super::UniPoly;
 use super::numerators::Numerators;
-use crate::number::{Field, MachineList, Ring};
+use crate::number::{Field, MachineList, Ring, machine_gcd, machine_quotient};
 
 /// Products of two polynomials with so many coefficients are multiplied out only when asked for.
 const LONG: usize = 16;
@@ -17,13 +17,16 @@ impl<F: Field> UniPoly<F> {
         if factor.is_one() {
             return self.clone();
         }
+        if let Some(scaled) = self.scaled_by_machine(factor) {
+            return scaled;
+        }
         let (numerator, denominator) = factor.parts();
         if numerator.height() > 0 {
-            let scaled = self.numerators().iter().map(|own| own.times(&numerator));
+            let scaled = self.numerators().iter().map(|own| own.times(numerator));
             return Self::from_numerators(scaled.collect(), self.denominator() * denominator);
         }
         // Only crosswise is there something to cancel.
-        let first = self.content_with(&denominator);
+        let first = self.content_with(denominator);
         let second = numerator.content_with(self.denominator());
         let below = (self.denominator() / &second) * (denominator / &first);
         let numerator = numerator.divided(&second);
@@ -32,6 +35,19 @@ impl<F: Field> UniPoly<F> {
             None => vec![numerator].into(),
         };
         Self::of_parts(numerators, below)
+    }
+
+    /// c p(x) for a rational c, if all numbers are machine numbers.
+    fn scaled_by_machine(&self, factor: &F) -> Option<Self> {
+        let (above, below) = factor.machine_parts()?;
+        let own = self.numerators_held()?.machine()?;
+        let denominator = self.denominator().machine()?;
+        let first = own.content_with(below.unsigned_abs()).cast_signed();
+        let second = machine_gcd(above, denominator);
+        let numbers = own.times_ratio(machine_quotient(above, second), first)?;
+        let below =
+            machine_quotient(denominator, second).checked_mul(machine_quotient(below, first))?;
+        Some(Self::of_parts(numbers.into(), below.into()))
     }
 
     /// Whether a product is better left alone until its coefficients are asked for.

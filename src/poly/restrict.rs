@@ -14,7 +14,7 @@ impl<F: Field> UniPoly<F> {
         let Some(degree) = self.degree() else {
             return Self::zero();
         };
-        let [start, width] = [from.clone(), to.minus(from)].map(|value| value.parts());
+        let [start, width] = [from.clone(), to.minus(from)].map(Field::into_parts);
         let common = lcm(&start.1, &width.1);
         let start = start.0.scaled(&(&common / &start.1));
         let width = width.0.scaled(&(&common / &width.1));

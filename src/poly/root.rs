@@ -94,7 +94,7 @@ impl<F: Field> RealRoot<F> {
     #[must_use]
     pub fn place(&self, variable: &str) -> String {
         let mut root = self.clone();
-        let (numerator, denominator) = self.width().parts();
+        let (numerator, denominator) = self.width().into_parts();
         root.refine(&F::from_parts(numerator, denominator * 1024));
         if root.is_exact() {
             format!("{variable} = {}", root.lower)
@@ -124,7 +124,7 @@ impl<F: Field> RealRoot<F> {
 
 /// (a + b) / 2
 pub(super) fn middle<F: Field>(lower: &F, upper: &F) -> F {
-    let (numerator, denominator) = lower.plus(upper).parts();
+    let (numerator, denominator) = lower.plus(upper).into_parts();
     F::from_parts(numerator, denominator * 2)
 }
 
@@ -329,8 +329,11 @@ mod tests {
         let half = Rational::new(1.into(), 2.into());
         let (left, right) = super::super::subdivide(&coefficients, &half);
         let scale = Rational::from(8);
-        let scaled =
-            |side: Vec<Rational>| side.iter().map(|own| (own * &scale).parts().0).collect();
+        let scaled = |side: Vec<Rational>| {
+            side.iter()
+                .map(|own| (own * &scale).into_parts().0)
+                .collect()
+        };
         assert_eq!(Ring::halves(row), (scaled(left), scaled(right)));
     }
 

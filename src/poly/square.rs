@@ -77,7 +77,7 @@ fn is_refuted<F: Field>(polynomial: &UniPoly<F>) -> bool {
 /// primitive, so p = r² without a factor: lc(r) = √lc(p), and the next coefficients are
 /// (p₂ₙ₋ₖ − Σ rₙ₋ᵢ rₙ₋ₖ₊ᵢ) / 2 lc(r), all in the ring.
 fn ring_root<F: Field>(primitive: &UniPoly<F>) -> Option<UniPoly<F>> {
-    let (lead, denominator) = primitive.leading_coefficient().square_root()?.parts();
+    let (lead, denominator) = primitive.leading_coefficient().square_root()?.into_parts();
     if !denominator.is_one() {
         return None;
     }

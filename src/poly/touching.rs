@@ -46,7 +46,7 @@ fn zeros_over_u<F: Field>(polynomial: &BiPoly<F>, u: (&F, &F), v: (&F, &F)) -> V
         zeros.extend(points_at_u(&simple, &sample, v));
     }
     let narrow = |range: (&F, &F)| {
-        let (numerator, denominator) = range.1.minus(range.0).parts();
+        let (numerator, denominator) = range.1.minus(range.0).into_parts();
         F::from_parts(numerator, denominator << 10_u32)
     };
     for mut root in candidates {

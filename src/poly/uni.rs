@@ -56,7 +56,7 @@ impl<F: Field> UniPoly<F> {
             });
         let mut numerators: Vec<_> = parts
             .iter()
-            .map(|(numerator, own)| numerator.scaled(&(&denominator / own)))
+            .map(|(numerator, own)| numerator.scaled(&(&denominator / *own)))
             .collect();
         while numerators.last().is_some_and(Ring::is_zero) {
             numerators.pop();
@@ -116,7 +116,7 @@ impl<F: Field> UniPoly<F> {
         if numerator.is_zero() {
             return Self::zero();
         }
-        Self::of_parts(vec![numerator].into(), denominator)
+        Self::of_parts(vec![numerator.clone()].into(), denominator.clone())
     }
 
     fn body(&self) -> Option<&Body<F::Ring>> {
@@ -379,9 +379,9 @@ impl<F: Field> UniPoly<F> {
         let mut power = Integer::one();
         for (step, own) in self.numerators().iter().rev().enumerate() {
             if step > 0 {
-                power *= &denominator;
+                power *= denominator;
             }
-            value = value.times(&numerator).plus(&own.scaled(&power));
+            value = value.times(numerator).plus(&own.scaled(&power));
         }
         F::from_parts(value, self.denominator() * power)
     }

@@ -195,7 +195,7 @@ fn search<F: Field>(
 /// The isolating bounds of the roots in a range, no wider than 1/1024 of it; of all
 /// multiplicities.
 pub(super) fn points<F: Field>(polynomial: &UniPoly<F>, range: (&F, &F)) -> Vec<(F, F)> {
-    let (numerator, denominator) = range.1.minus(range.0).parts();
+    let (numerator, denominator) = range.1.minus(range.0).into_parts();
     let width = F::from_parts(numerator, denominator * 1024);
     real_roots(polynomial, range.0, range.1)
         .into_iter()

@@ -85,7 +85,7 @@ fn places_are_homomorphisms() {
     for_all(10_000, triple(), |(index, specs)| {
         let [a, b, c] = specs
             .each_ref()
-            .map(|own| field(index).number(own).exact.parts().0);
+            .map(|own| field(index).number(own).exact.into_parts().0);
         let Some(top) = field(index).tower.top() else {
             return Ok(());
         };

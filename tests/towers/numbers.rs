@@ -73,8 +73,8 @@ fn numbers_are_in_lowest_terms_and_know_what_they_are() {
         prop_assert_eq!(&other, &-a);
         for own in [a, b, &sum, &cube] {
             let (numerator, denominator) = own.parts();
-            prop_assert!(denominator > Integer::from(0));
-            prop_assert!(gcd(&numerator.content(), &denominator).is_one());
+            prop_assert!(*denominator > Integer::from(0));
+            prop_assert!(gcd(&numerator.content(), denominator).is_one());
             let factor = Integer::from(-6);
             let scaled = Surd::from_parts(numerator.scaled(&factor), denominator * factor);
             prop_assert_eq!(&scaled, own);

@@ -36,7 +36,7 @@ fn intervals_hold_the_number() {
                 prop_assert_eq!(interval.precision(), precision);
                 let [lower, upper] = interval.ends().map(|end| {
                     let (numerator, denominator) = Rational::parts(&end);
-                    (BigInt::from(&numerator), BigInt::from(&denominator))
+                    (BigInt::from(numerator), BigInt::from(denominator))
                 });
                 let meets = number
                     .ball

@@ -42,7 +42,7 @@ impl View {
     /// A view by its angles; none if the elevation is not from −90 to 90.
     fn new(azimuth: &Rational, elevation: Rational) -> Option<Self> {
         let turn = Rational::from(360);
-        let turns = azimuth.times(&turn.inverse()?).parts();
+        let turns = azimuth.times(&turn.inverse()?).into_parts();
         let whole = turns.0.div_floor(&turns.1);
         let azimuth = azimuth.minus(&turn.times(&Rational::new(whole, 1.into())));
         let limit = Rational::from(90);

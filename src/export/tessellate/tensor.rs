@@ -107,7 +107,7 @@ impl<const N: usize> Row<N> {
 /// C(n, i) kⁱ (d − k)ⁿ⁻ⁱ for a parameter k/d: the Bernstein polynomials times dⁿ.
 fn basis(degree: usize, place: &Real) -> Vec<Numerator> {
     let (own, whole) = place.parts();
-    let rest = Numerator::from_integer(&whole).minus(&own);
+    let rest = Numerator::from_integer(whole).minus(own);
     let mut powers = vec![Numerator::one()];
     for index in 0..degree {
         powers.push(powers[index].times(&rest));
@@ -116,7 +116,7 @@ fn basis(degree: usize, place: &Real) -> Vec<Numerator> {
     let mut basis = Vec::with_capacity(degree + 1);
     for index in 0..=degree {
         basis.push(power.times(&powers[degree - index]).scaled(&binomial));
-        power = power.times(&own);
+        power = power.times(own);
         binomial = binomial * Integer::from(degree - index) / Integer::from(index + 1);
     }
     basis
