@@ -209,7 +209,7 @@ impl Curve {
     }
 
     fn find(&self, property: Property) -> Result<PropertyFunction, Fault> {
-        let (speed, weight) = self.counted_degrees();
+        let counted = || self.counted_degrees();
         let (numerator, denominator, bound) = match property {
             Property::Position(axis) => {
                 let Homogeneous {
@@ -234,27 +234,27 @@ impl Curve {
                     denominator,
                 } = self.hodograph();
                 let top = numerators[axis.index()].clone();
-                (top, denominator.clone(), (speed, weight))
+                (top, denominator.clone(), counted())
             }
             Property::Speed => {
                 let top = self.speed()?.clone();
-                (top, self.hodograph().denominator.clone(), (speed, weight))
+                (top, self.hodograph().denominator.clone(), counted())
             }
             Property::ArcLength => return self.arc_length_function(),
             Property::Tangent(axis) => {
                 let top = self.hodograph().numerators[axis.index()].clone();
-                (top, self.speed()?.clone(), (speed, speed))
+                (top, self.speed()?.clone(), (counted().0, counted().0))
             }
             Property::Normal(axis) => {
                 let top = self.normal_numerator(axis)?;
-                (top, self.speed()?.clone(), (speed, speed))
+                (top, self.speed()?.clone(), (counted().0, counted().0))
             }
             Property::Curvature => {
-                let (top, bottom) = self.curvature()?;
+                let ((top, bottom), (speed, weight)) = (self.curvature()?, counted());
                 (top, bottom, (speed.saturating_sub(2) + weight, 2 * speed))
             }
             Property::RadiusOfCurvature => {
-                let (top, bottom) = self.curvature()?;
+                let ((top, bottom), (speed, weight)) = (self.curvature()?, counted());
                 if top.is_zero() {
                     return Err(Fault::StraightLine);
                 }
@@ -344,11 +344,15 @@ impl Curve {
                     root: Box::new(root),
                 });
             }
-            let offset = denominator
-                .evaluate(start)
-                .inverse()
-                .unwrap_or_else(Real::zero);
-            let offset = numerator.evaluate(start).times(&offset);
+            let offset = numerator.evaluate(start);
+            if offset.is_zero() {
+                return Ok(ArcLength {
+                    numerator,
+                    denominator,
+                });
+            }
+            let inverse = denominator.evaluate(start).inverse();
+            let offset = offset.times(&inverse.unwrap_or_else(Real::zero));
             Ok(ArcLength {
                 numerator: &numerator - &denominator.scale(&offset),
                 denominator,

@@ -38,6 +38,9 @@ pub fn machine_gcd(left: i128, right: i128) -> i128 {
 
 /// The greatest common divisor of double words.
 pub(super) fn of_sizes(left: u128, right: u128) -> u128 {
+    if let (Ok(left), Ok(right)) = (u64::try_from(left), u64::try_from(right)) {
+        return of_words(left, right).into();
+    }
     let (lesser, greater) = (left.min(right), left.max(right));
     match u64::try_from(lesser) {
         Ok(0) => greater,
@@ -48,6 +51,17 @@ pub(super) fn of_sizes(left: u128, right: u128) -> u128 {
             Err(_) => lesser.gcd(&greater),
         },
         Err(_) => lesser.gcd(&greater),
+    }
+}
+
+/// By binary digits, after one remainder that makes both about as long.
+#[inline]
+fn of_words(left: u64, right: u64) -> u64 {
+    let (lesser, greater) = (left.min(right), left.max(right));
+    match lesser {
+        0 => greater,
+        1 => 1,
+        _ => lesser.gcd(&(greater % lesser)),
     }
 }
 

@@ -77,7 +77,9 @@ impl MachineList {
 
     /// The numerators of fractions over their least common denominator, and that.
     #[must_use]
-    pub fn of_fractions<F: Field>(values: &[F]) -> Option<(Self, i128)> {
+    pub fn of_fractions<'a, F: Field>(
+        values: impl ExactSizeIterator<Item = &'a F>,
+    ) -> Option<(Self, i128)> {
         let mut fractions = Vec::with_capacity(values.len());
         let (mut common, mut longest) = (1_i128, 0);
         for own in values {
@@ -584,7 +586,7 @@ mod tests {
             (vec![fraction(long, 2), fraction(1, 3)], None),
             (vec![fraction(1, long), fraction(1, long - 1)], None),
         ] {
-            let found = MachineList::of_fractions(&list);
+            let found = MachineList::of_fractions(list.iter());
             let expected = expected.map(|(own, below)| (MachineList(Form::Doubles(own)), below));
             assert_eq!(found, expected);
         }

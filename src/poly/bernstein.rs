@@ -38,10 +38,21 @@ impl<F: Field> UniPoly<F> {
 /// Up to this degree C(n,k) ≤ 2ⁿ and the factor before a division are machine numbers.
 const MACHINE: usize = 120;
 
+/// Up to this degree they are words.
+const WORD: usize = 58;
+
 /// C(n,0), …, C(n,n)
 #[must_use]
 pub fn binomials(degree: usize) -> Vec<Integer> {
     let mut row = Vec::with_capacity(degree + 1);
+    if degree <= WORD {
+        let mut next = 1_u64;
+        for index in 0..=degree {
+            row.push(Integer::from(next));
+            next = next * (degree - index) as u64 / (index + 1) as u64;
+        }
+        return row;
+    }
     if degree <= MACHINE {
         let mut next = 1_u128;
         for index in 0..=degree {
@@ -92,7 +103,7 @@ pub fn de_casteljau<F: Field>(coefficients: &[F], at: &F) -> F {
 /// coefficients sought.
 #[must_use]
 pub fn subdivide<F: Field>(coefficients: &[F], at: &F) -> (Vec<F>, Vec<F>) {
-    let (mut row, mut denominator) = common_numerators(coefficients);
+    let (mut row, mut denominator) = common_numerators(coefficients.iter());
     let (weight, scale) = at.parts();
     let complement = F::Ring::from_integer(scale).minus(weight);
     let (mut left, mut right) = (Vec::new(), Vec::new());
@@ -118,30 +129,35 @@ pub fn subdivide<F: Field>(coefficients: &[F], at: &F) -> (Vec<F>, Vec<F>) {
 ///
 /// aₖ = C(n,k) Δᵏb₀ are the power coefficients in t = (x − from)/(to − from).
 #[must_use]
-pub fn from_bernstein<F: Field>(coefficients: &[F], from: &F, to: &F) -> UniPoly<F> {
+pub fn from_bernstein<'a, F: Field>(
+    coefficients: impl IntoIterator<Item = &'a F>,
+    from: &F,
+    to: &F,
+) -> UniPoly<F> {
+    let coefficients: Vec<&F> = coefficients.into_iter().collect();
     let Some(degree) = coefficients.len().checked_sub(1) else {
         return UniPoly::zero();
     };
+    if from.is_zero() && to.is_one() {
+        return in_local_powers(&coefficients, degree);
+    }
     let Some(inverse) = to.minus(from).inverse() else {
-        return UniPoly::constant(&coefficients[0]);
+        return UniPoly::constant(coefficients[0]);
     };
     // t runs from −from/(to−from) at x = 0 to (1−from)/(to−from) at x = 1.
-    let local = in_local_powers(coefficients, degree);
-    if from.is_zero() && to.is_one() {
-        return local;
-    }
+    let local = in_local_powers(&coefficients, degree);
     let start = from.negated().times(&inverse);
     local.restrict(&start, &start.plus(&inverse))
 }
 
 /// Σ C(n,k) Δᵏb₀ tᵏ
-fn in_local_powers<F: Field>(coefficients: &[F], degree: usize) -> UniPoly<F> {
-    if let Some((row, denominator)) = MachineList::of_fractions(coefficients)
+fn in_local_powers<F: Field>(coefficients: &[&F], degree: usize) -> UniPoly<F> {
+    if let Some((row, denominator)) = MachineList::of_fractions(coefficients.iter().copied())
         && let Some(powers) = row.differences()
     {
         return UniPoly::lowest(powers.trimmed().into(), denominator.into());
     }
-    let (row, denominator) = common_numerators(coefficients);
+    let (row, denominator) = common_numerators(coefficients.iter().copied());
     UniPoly::lowest(differences(row, &binomials(degree)), denominator)
 }
 
@@ -159,8 +175,8 @@ fn differences<R: Ring>(mut row: Vec<R>, binomials: &[Integer]) -> Numerators<R>
 }
 
 /// Numerators over one denominator.
-fn common_numerators<F: Field>(values: &[F]) -> (Vec<F::Ring>, Integer) {
-    let parts: Vec<_> = values.iter().map(Field::parts).collect();
+fn common_numerators<'a, F: Field>(values: impl Iterator<Item = &'a F>) -> (Vec<F::Ring>, Integer) {
+    let parts: Vec<_> = values.map(Field::parts).collect();
     let common = parts
         .iter()
         .fold(Integer::from(1), |common, (_, own)| lcm(&common, own));

@@ -244,6 +244,9 @@ impl<F: Field> BiPoly<F> {
         if ones == [true, true] {
             return self.clone();
         }
+        if in_u.is_zero() || in_v.is_zero() {
+            return Self::zero();
+        }
         let times = |own: &UniPoly<F>, factor: &UniPoly<F>, is_one: bool| {
             if is_one { own.clone() } else { own * factor }
         };

@@ -315,6 +315,20 @@ impl<F: Field> Fraction<F> {
         )
     }
 
+    /// a(u, v) b(u) c(v)
+    #[must_use]
+    pub fn times_separable(&self, in_u: &Quotient<F>, in_v: &Quotient<F>) -> Self {
+        let (above, below) = (&self.numerator, &self.denominator);
+        Self::new(
+            above.times_separable(in_u.numerator(), in_v.numerator()),
+            Denominator {
+                in_u: &below.in_u * in_u.denominator(),
+                in_v: &below.in_v * in_v.denominator(),
+                mixed: below.mixed.clone(),
+            },
+        )
+    }
+
     /// 1 / a; none for 0
     #[must_use]
     pub fn inverse(&self) -> Option<Self> {

@@ -45,7 +45,7 @@ impl<F: Field> UniPoly<F> {
     #[must_use]
     pub fn from_coefficients(coefficients: &[F]) -> Self {
         // Of a prime power that divides d, some coefficient needs all: it stays in lowest terms.
-        if let Some((numerators, denominator)) = MachineList::of_fractions(coefficients) {
+        if let Some((numerators, denominator)) = MachineList::of_fractions(coefficients.iter()) {
             return Self::of_parts(numerators.trimmed().into(), denominator.into());
         }
         let parts: Vec<_> = coefficients.iter().map(Field::parts).collect();

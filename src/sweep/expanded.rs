@@ -152,17 +152,20 @@ impl Expanded {
         {
             *host = host.scale(&own);
         }
-        let single = match (in_u, in_v) {
-            (None, None) => Self::Number(number.unwrap_or_else(Real::one)),
-            (Some(own), None) => Self::InOne(Parameter::U, own),
-            (None, Some(own)) => Self::InOne(Parameter::V, own),
-            (Some(in_u), Some(in_v)) => Fraction::product(&in_u, &in_v).into(),
-        };
-        match (in_both, single) {
-            (None, single) => single,
-            (Some(all), Self::Number(own)) if own.is_one() => Self::InBoth(all),
-            (Some(all), Self::Number(own)) => all.scale(&own).into(),
-            (Some(all), other) => all.times(&other.into_fraction()).into(),
+        let one = || Quotient::polynomial(UniPoly::one());
+        match (in_both, in_u, in_v) {
+            (None, None, None) => Self::Number(number.unwrap_or_else(Real::one)),
+            (None, Some(own), None) => Self::InOne(Parameter::U, own),
+            (None, None, Some(own)) => Self::InOne(Parameter::V, own),
+            (None, Some(in_u), Some(in_v)) => Fraction::product(&in_u, &in_v).into(),
+            (Some(all), None, None) => match number {
+                Some(own) if !own.is_one() => all.scale(&own).into(),
+                _ => Self::InBoth(all),
+            },
+            (Some(all), in_u, in_v) => {
+                let [in_u, in_v] = [in_u, in_v].map(|own| own.unwrap_or_else(one));
+                all.times_separable(&in_u, &in_v).into()
+            }
         }
     }
 

@@ -241,6 +241,9 @@ impl Coordinates {
             ([x, y, z], None) => [x.clone(), y.clone(), z.clone()],
             _ => return None,
         };
+        if self.weight.is_one() {
+            return Some(super::Homogeneous::polynomial(coordinates));
+        }
         let scale = self.weight.primitive();
         let ratio = self.weight.leading_coefficient();
         let factor = crate::number::Field::inverse(&ratio)?;

@@ -27,11 +27,8 @@ fn build(arguments: &Arguments, setting: &Setting<'_>) -> Result<Coordinates, Bu
     };
     let coefficients = arguments.points(1);
     let part = |index: usize| -> UniPoly<Real> {
-        let coefficients: Vec<Real> = coefficients
-            .iter()
-            .map(|pair| pair[index].clone())
-            .collect();
-        from_bernstein(&coefficients, setting.domain.start(), setting.domain.end())
+        let coefficients = coefficients.iter().map(|pair| &pair[index]);
+        from_bernstein(coefficients, setting.domain.start(), setting.domain.end())
     };
     let scale = arguments.number(2).cloned().unwrap_or_else(Real::one);
     let preimage = Preimage::new(Complex::of_real(scale), part(0), part(1));
