@@ -87,7 +87,7 @@ impl<R: Ring> Numerators<R> {
 
     /// The coefficient of the highest power; none for an empty list.
     pub(super) fn last(&self) -> Option<Cow<'_, R>> {
-        self.end(|length| length - 1)
+        self.end(|last| last)
     }
 
     /// One of them, without the others as elements of the ring.
@@ -99,13 +99,12 @@ impl<R: Ring> Numerators<R> {
         }
     }
 
-    /// The coefficient at a place that a factor of a product has it at, too: the first or the last.
+    /// The coefficient at an end, which a product has from those of its factors; the place is told
+    /// from the last one.
     fn end(&self, place: fn(usize) -> usize) -> Option<Cow<'_, R>> {
-        if self.len() == 0 {
-            return None;
-        }
+        let last = self.len().checked_sub(1)?;
         let Some(own) = self.factors() else {
-            return Some(self.at(place(self.len())));
+            return Some(self.at(place(last)));
         };
         let (left, right) = (own.left.end(place)?, own.right.end(place)?);
         Some(Cow::Owned(left.times(&right).divided(&own.divisor)))

@@ -152,7 +152,7 @@ impl Field {
                 // a − ⌊a⌋ is less than 1 in absolute value, and its conjugates are not.
                 let floor = own.exact.decide(|value| {
                     let (numerator, denominator) = value.parts();
-                    numerator.div_floor(&denominator)
+                    numerator.div_floor(denominator)
                 });
                 let rest = own.minus(&Number::ratio((&floor).into(), 1.into()));
                 // Nearly integers are small enough at once.
