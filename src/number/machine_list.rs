@@ -78,23 +78,22 @@ impl MachineList {
     /// The numerators of fractions over their least common denominator, and that.
     #[must_use]
     pub fn of_fractions<'a, F: Field>(
-        values: impl ExactSizeIterator<Item = &'a F>,
+        values: impl Iterator<Item = &'a F> + Clone,
     ) -> Option<(Self, i128)> {
-        let mut fractions = Vec::with_capacity(values.len());
         let (mut common, mut longest) = (1_i128, 0);
-        for own in values {
+        for own in values.clone() {
             let (above, below) = own.machine_parts()?;
             if below != common {
                 common = lcm(common, below)?;
             }
             longest = longest.max(bits(above));
-            fractions.push((above, below));
         }
-        let scaled = fractions.iter().map(|(above, below)| {
-            if *below == common {
-                *above
+        let scaled = values.map(|own| {
+            let (above, below) = own.machine_parts().unwrap_or((0, 1));
+            if below == common {
+                above
             } else {
-                above * machine_quotient(common, *below)
+                above * machine_quotient(common, below)
             }
         });
         Some((Self::collect(longest + bits(common), scaled)?, common))
