@@ -60,9 +60,14 @@ impl<F: Field> BiPoly<F> {
     /// f(u) g(v)
     #[must_use]
     pub fn product(in_u: &UniPoly<F>, in_v: &UniPoly<F>) -> Self {
-        let mut polynomial = Self::zero();
-        polynomial.add_term(in_u, in_v);
-        polynomial
+        if in_u.is_zero() || in_v.is_zero() {
+            return Self::zero();
+        }
+        let (factor, primitive) = in_u.split();
+        Self {
+            terms: vec![(primitive, in_v.scale(&factor))],
+            bidegree: OnceCell::new(),
+        }
     }
 
     /// Σ uⁱ rᵢ(v)
@@ -251,6 +256,7 @@ impl<F: Field> BiPoly<F> {
             if is_one { own.clone() } else { own * factor }
         };
         let mut product = Self::zero();
+        product.terms.reserve_exact(self.terms.len());
         for (own_u, own_v) in &self.terms {
             let v = times(own_v, in_v, ones[1]);
             if ones[0] {
