@@ -175,7 +175,7 @@ impl MachineList {
         })
     }
 
-    /// Σ aₖ[i] bₖ[j] for as many rows i and columns j, row by row.
+    /// Σ aₖ[i] bₖ[j] for as many rows i and columns j, row by row; what lists lack is 0.
     #[must_use]
     pub fn outer_products(
         terms: &[[MachineNumbers<'_>; 2]],
@@ -186,7 +186,7 @@ impl MachineList {
         of_width!(longest + terms.len().max(1).ilog2() + 1, Number => {
             let mut sums = vec![Number::default(); rows * columns];
             for [left, right] in terms {
-                for (own, row) in left.iter().zip(sums.chunks_exact_mut(columns)) {
+                for (own, row) in left.iter().zip(sums.chunks_exact_mut(columns.max(1))) {
                     right.add_multiple(own, row);
                 }
             }
@@ -283,7 +283,7 @@ impl MachineList {
     #[must_use]
     pub fn with_first(&self, first: i128, factor: i128) -> Option<Self> {
         let numbers = self.numbers();
-        let longest = (numbers.bits() + growth(factor) + 1).max(bits(first));
+        let longest = (numbers.bits() + growth(factor) + 1).max(growth(first) + 1);
         let scaled = numbers.iter().skip(1).map(|own| own * factor);
         Self::collect(longest, std::iter::once(first).chain(scaled))
     }
@@ -556,6 +556,35 @@ mod tests {
                 None => assert!(longest + 6 > DOUBLE),
             }
         }
+    }
+
+    #[test]
+    fn outer_products_are_exact_or_none() {
+        let lists = edges();
+        for (index, first) in lists.iter().enumerate() {
+            let others = [3 * index + 1, 5 * index + 2, index + 11];
+            let [second, third, fourth] = others.map(|own| lists[own % lists.len()].numbers());
+            let terms = [[first.numbers(), second], [third, fourth]];
+            let size = (first.len().max(third.len()), second.len().max(fourth.len()));
+            let mut exact = vec![Integer::from(0); size.0 * size.1];
+            for [left, right] in terms {
+                for (i, own) in left.iter().enumerate() {
+                    for (j, other) in right.iter().enumerate() {
+                        let place = &mut exact[i * size.1 + j];
+                        *place = &*place + Integer::from(own) * Integer::from(other);
+                    }
+                }
+            }
+            let sums = MachineList::outer_products(&terms, size);
+            agrees(sums.as_ref(), &exact, 130);
+            let longest = terms
+                .iter()
+                .map(|[left, right]| left.bits() + right.bits())
+                .max();
+            assert_eq!(sums.is_none(), longest > Some(DOUBLE - 2));
+        }
+        let none = MachineList::outer_products(&[], (2, 3));
+        assert!(none.is_some_and(|own| own.numbers().iter().eq([0; 6])));
     }
 
     #[test]

@@ -49,7 +49,8 @@ pub(super) fn machine_product(left: i128, right: i128) -> Option<i128> {
     (product != i128::MIN).then_some(product)
 }
 
-/// The quotient of machine numbers, truncated towards 0; the divisor is not 0.
+/// The quotient of machine numbers, truncated towards 0; the divisor is not 0, the dividend not
+/// −2¹²⁷.
 #[inline]
 #[must_use]
 pub fn machine_quotient(left: i128, right: i128) -> i128 {

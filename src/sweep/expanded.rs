@@ -214,6 +214,50 @@ fn join<T: Clone>(product: &mut Option<T>, factor: &T, times: impl Fn(&T, &T) ->
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::number::Tower;
+
+    fn quotient(above: &[Real], below: &[Real]) -> Quotient<Real> {
+        let [above, below] = [above, below].map(UniPoly::from_coefficients);
+        Quotient::new(&above, &below).unwrap_or_else(|| unreachable!("no denominator is 0"))
+    }
+
+    #[test]
+    fn functions_of_one_parameter_multiply_as_fractions_do() {
+        let root = Tower::new(2).square_root(&Real::from(2));
+        let root = root.unwrap_or_else(|own| unreachable!("{own:?}"));
+        let [zero, one, three] = [0, 1, 3].map(Real::from);
+        let quotients = [
+            quotient(&[], &[one.clone(), root.clone()]),
+            quotient(&[three.clone()], &[one.clone()]),
+            quotient(
+                &[one.clone(), three.clone()],
+                &[three.clone(), zero, one.clone()],
+            ),
+            quotient(&[root.clone(), one.clone()], &[three, root]),
+        ];
+        for (own, first) in quotients.iter().zip(quotients.iter().rev()) {
+            let saddle = Fraction::product(own, first).plus(&Fraction::in_v(first));
+            for (second, third) in quotients
+                .iter()
+                .flat_map(|a| quotients.iter().map(move |b| (a, b)))
+            {
+                let factors = [
+                    saddle.clone().into(),
+                    Expanded::InOne(Parameter::V, third.clone()),
+                    Expanded::InOne(Parameter::U, second.clone()),
+                    Expanded::Number(Real::from(-5)),
+                ];
+                let product = Expanded::product(&factors).into_fraction();
+                let whole = factors.map(Expanded::into_fraction);
+                let one_by_one = whole
+                    .iter()
+                    .fold(Fraction::constant(&one), |all, own| all.times(own));
+                assert_eq!(product.denominator(), one_by_one.denominator());
+                let difference = product.numerator() - one_by_one.numerator();
+                assert!(difference.is_zero());
+            }
+        }
+    }
 
     #[test]
     fn a_function_of_both_is_none_of_one() {
