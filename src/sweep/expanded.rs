@@ -228,7 +228,7 @@ mod tests {
         let [zero, one, three] = [0, 1, 3].map(Real::from);
         let quotients = [
             quotient(&[], &[one.clone(), root.clone()]),
-            quotient(&[three.clone()], &[one.clone()]),
+            quotient(std::slice::from_ref(&three), std::slice::from_ref(&one)),
             quotient(
                 &[one.clone(), three.clone()],
                 &[three.clone(), zero, one.clone()],
