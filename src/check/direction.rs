@@ -16,7 +16,7 @@ impl NormalDirection {
     ///
     /// An image of D·D refutes most surfaces before it is multiplied out.
     pub(super) fn of(surface: &HomogeneousSurface) -> Option<Self> {
-        let vector = NormalVector::of(surface)?;
+        let vector = surface.normal_vector()?.clone();
         let square = match sum_of_squares_refuted(&vector.direction) {
             Some(reason) => BiSquareTest::NotSquare { reason },
             None => square_test_bi(&vector.squared_direction()),

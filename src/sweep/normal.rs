@@ -84,8 +84,7 @@ impl NormalVector {
     /// With P = (X, Y, Z) and W = d(u) e(v), A = d P_u − d′ P and B = e P_v − e′ P have
     /// R_u × R_v = A × B / W³, and what A or B has in common is taken out before it is multiplied
     /// in. For other W it is (W P_u × P_v − W_u P × P_v + W_v P × P_u) / W³.
-    #[must_use]
-    pub fn of(surface: &HomogeneousSurface) -> Option<Self> {
+    pub(super) fn of(surface: &HomogeneousSurface) -> Option<Self> {
         let point = surface.point();
         let [(in_u, in_v)] = surface.weight().terms() else {
             return Self::taken_out(normal_numerators(surface));
@@ -189,7 +188,7 @@ pub fn unit_normal(
     tower: &Tower,
 ) -> Result<[Fraction<Real>; 3], NormalFault> {
     let surface = HomogeneousSurface::of(surface, domain).surface;
-    let normal = NormalVector::of(&surface).ok_or(NormalFault::NotSurface)?;
+    let normal = surface.normal_vector().ok_or(NormalFault::NotSurface)?;
     let (factor, root) = match square_test_bi(&normal.squared_direction()) {
         BiSquareTest::Square { factor, root } => (factor, root),
         BiSquareTest::NotSquare { reason } => return Err(NormalFault::NotRational { reason }),

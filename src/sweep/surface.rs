@@ -10,7 +10,7 @@ use crate::poly::{
     common_factor_v, exact_div_bi, gcd_bi,
 };
 
-use super::{DegreeBound, Expander, Form, Scalar, Vector, degree_bound};
+use super::{DegreeBound, Expander, Form, NormalVector, Scalar, Vector, degree_bound};
 
 /// The rectangle of parameters on which a surface is used.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -95,7 +95,9 @@ pub struct HomogeneousSurface {
     /// By which they are divided in the normal form, up to a positive rational factor.
     unit: Real,
     /// To be found means to multiply out, which nothing but a report needs.
-    normal: OnceCell<[BiPoly<Real>; 4]>,
+    normal_form: OnceCell<[BiPoly<Real>; 4]>,
+    /// The vector R_u × R_v in factors, once it is asked for.
+    normal_vector: OnceCell<Option<NormalVector>>,
 }
 
 impl PartialEq for HomogeneousSurface {
@@ -113,7 +115,8 @@ impl HomogeneousSurface {
         Self {
             proportional,
             unit: Real::one(),
-            normal: OnceCell::new(),
+            normal_form: OnceCell::new(),
+            normal_vector: OnceCell::new(),
         }
     }
 
@@ -141,7 +144,8 @@ impl HomogeneousSurface {
             } else {
                 coordinates
             },
-            normal: OnceCell::new(),
+            normal_form: OnceCell::new(),
+            normal_vector: OnceCell::new(),
         }
     }
 
@@ -150,7 +154,7 @@ impl HomogeneousSurface {
     /// all coefficients are coprime integers.
     #[must_use]
     pub fn coordinates(&self) -> &[BiPoly<Real>; 4] {
-        self.normal.get_or_init(|| {
+        self.normal_form.get_or_init(|| {
             let inverse = self.unit.inverse().unwrap_or_else(Real::one);
             let unit = self.proportional.each_ref().map(|own| own.scale(&inverse));
             coprime_integers(&unit)
@@ -174,6 +178,13 @@ impl HomogeneousSurface {
     pub fn point(&self) -> [BiPoly<Real>; 3] {
         let [_, x, y, z] = &self.proportional;
         [x.clone(), y.clone(), z.clone()]
+    }
+
+    /// R_u × R_v in factors; none if it is zero identically. It is found once.
+    #[must_use]
+    pub fn normal_vector(&self) -> Option<&NormalVector> {
+        let find = || NormalVector::of(self);
+        self.normal_vector.get_or_init(find).as_ref()
     }
 
     /// The bidegrees of W, X, Y, Z; none for a zero coordinate.

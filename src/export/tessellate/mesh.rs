@@ -5,7 +5,7 @@ use crate::diag::Code;
 use crate::export::{Context, Double, ExportFault, Precision};
 use crate::net::{Face, Model, Shell};
 use crate::number::{Integer, Real};
-use crate::sweep::{HomogeneousSurface, NormalVector};
+use crate::sweep::NormalVector;
 
 use super::flatness::Flatness;
 use super::lattice::{Lattice, inside};
@@ -80,7 +80,8 @@ impl Mesh {
         context: &Context<'_>,
         precision: Precision,
     ) -> Result<Self, ExportFault> {
-        let fields = normals(model)?;
+        let faces = model.shells().iter().flat_map(|own| &own.faces);
+        faces.map(normal).try_for_each(|own| own.map(drop))?;
         let resolution = Resolution::of(model, context.chord.as_ref(), precision)?;
         let mut mesh = Self {
             precision,
@@ -95,18 +96,14 @@ impl Mesh {
         let mut known = HashMap::new();
         for (shell, steps) in model.shells().iter().zip(plans) {
             let lattice = Lattice::of(shell, &steps, precision, &mut mesh.vertices);
-            let lattice = lattice.ok_or_else(beyond)?;
+            let lattice = lattice.ok_or_else(|| beyond(precision))?;
             let flipped = shell.orientation().unwrap_or_default();
             for (index, face) in shell.faces.iter().enumerate() {
                 let opposite = flipped.get(index).copied().unwrap_or_default();
-                let known_fields = fields.iter();
-                let field = known_fields
-                    .filter(|(own, _)| Rc::ptr_eq(own, &face.surface))
-                    .map(|(_, normal)| NormalField::of(face, normal, opposite));
                 let mut work = FaceWork {
                     mesh: &mut mesh,
                     known: &mut known,
-                    field: field.last(),
+                    field: Some(NormalField::of(face, normal(face)?, opposite)),
                     part: face.part,
                     opposite,
                 };
@@ -162,28 +159,28 @@ fn too_many(limit: usize) -> ExportFault {
     ExportFault::new(Code::E0511, message, help)
 }
 
-fn beyond() -> ExportFault {
+fn beyond(precision: Precision) -> ExportFault {
     let message = "a coordinate is beyond the last number of the format";
-    let help = "use a larger unit of length, or write `ply` or `mesh`, whose numbers are doubles";
+    let help = match precision {
+        Precision::Single => {
+            "use a larger unit of length, or write `ply` or `mesh`, whose numbers are doubles"
+        }
+        Precision::Double => {
+            "use a larger unit of length, or read the exact numbers of the `json` file"
+        }
+    };
     ExportFault::new(Code::E0306, message, help)
 }
 
-/// The normals of all surfaces.
-fn normals(model: &Model) -> Result<Vec<(Rc<HomogeneousSurface>, NormalVector)>, ExportFault> {
-    let mut found: Vec<(Rc<HomogeneousSurface>, NormalVector)> = Vec::new();
-    let faces = model.shells().iter().flat_map(|own| &own.faces);
-    for Face { surface, .. } in faces {
-        if found.iter().any(|(own, _)| Rc::ptr_eq(own, surface)) {
-            continue;
-        }
-        let normal = NormalVector::of(surface).ok_or_else(|| {
-            let message = "R_u × R_v is zero: this is a curve or a point";
-            let help = "a surface must move in both directions; the `json` file carries this net";
-            ExportFault::new(Code::E0302, message, help)
-        })?;
-        found.push((Rc::clone(surface), normal));
-    }
-    Ok(found)
+/// The normal of a face's surface.
+///
+/// - **errors** a surface that is a curve or a point (E0302)
+fn normal(face: &Face) -> Result<&NormalVector, ExportFault> {
+    face.surface.normal_vector().ok_or_else(|| {
+        let message = "R_u × R_v is zero: this is a curve or a point";
+        let help = "a surface must move in both directions; the `json` file carries this net";
+        ExportFault::new(Code::E0302, message, help)
+    })
 }
 
 /// The triangles of one face.
