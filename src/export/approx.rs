@@ -249,6 +249,42 @@ impl Double {
         let (dividend, divisor) = shifted(above, below, -2 * exponent);
         let root = (&dividend / &divisor).sqrt();
         let is_exact = &root * &root * &divisor == dividend;
+        Self::of_root(precision, negative, (root, is_exact), exponent)
+    }
+
+    /// The number of a format nearest to √q for all q ≥ 0 with some leading digits, or to −√q; none
+    /// where there are two.
+    ///
+    /// As [`Double::nearest_to_root`] for both ends, with a t of 60 digits or more.
+    #[must_use]
+    pub(super) fn nearest_to_root_of_leading(
+        precision: Precision,
+        negative: bool,
+        square: Leading,
+    ) -> Option<Self> {
+        let (size, error, exponent) = square.parts();
+        if size == 0 {
+            return Some(Self::default());
+        }
+        let odd = exponent.rem_euclid(2);
+        let nearest = |size: u128| {
+            let root = (size >> odd).isqrt();
+            let is_exact = (root * root) << odd == size;
+            let root = (Integer::from(root), is_exact);
+            Self::of_root(precision, negative, root, -(exponent + odd) / 2)
+        };
+        let lower = nearest(size.checked_sub(error.into())?)?;
+        let upper = nearest(size.checked_add(error.into())?)?;
+        (lower == upper).then_some(lower)
+    }
+
+    /// The number of a format nearest to ±t 2^−e for an exact t, else to ±(t + ½) 2^−e.
+    fn of_root(
+        precision: Precision,
+        negative: bool,
+        (root, is_exact): (Integer, bool),
+        exponent: i64,
+    ) -> Option<Self> {
         let twice = root * 2_u8 + u8::from(!is_exact);
         let twice = if negative { -twice } else { twice };
         let (numerator, denominator) = shifted(&twice, &Integer::from(1), exponent + 1);

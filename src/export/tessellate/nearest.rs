@@ -1,5 +1,5 @@
 use crate::export::{Double, Precision};
-use crate::number::{Integer, Leading, Rational, Real, Ring};
+use crate::number::{Integer, Rational, Real, Ring};
 
 use super::tensor::Numerator;
 
@@ -41,35 +41,9 @@ fn unit_by_leading(precision: Precision, vector: &[Numerator; 3]) -> Option<[Dou
     let inverse = squares[0].plus(squares[1])?.plus(squares[2])?.inverse()?;
     let nearest = |axis: usize| {
         let negative = leading[axis].sign().is_lt();
-        nearest_root_of_leading(precision, negative, squares[axis].times(inverse)?)
+        Double::nearest_to_root_of_leading(precision, negative, squares[axis].times(inverse)?)
     };
     Some([nearest(0)?, nearest(1)?, nearest(2)?])
-}
-
-/// The number nearest to √q for all q ≥ 0 with some leading digits, or to −√q; none where there are
-/// two.
-fn nearest_root_of_leading(
-    precision: Precision,
-    negative: bool,
-    square: Leading,
-) -> Option<Double> {
-    let (size, error, exponent) = square.parts();
-    if size == 0 {
-        return Some(Double::default());
-    }
-    let power = Integer::from(1) << exponent.unsigned_abs();
-    let nearest = |size: Integer| {
-        let scaled = &size * &power;
-        let square = if exponent < 0 {
-            (&size, &power)
-        } else {
-            (&scaled, Integer::unit())
-        };
-        Double::nearest_to_root(precision, negative, square)
-    };
-    let (size, error) = (Integer::from(size), Integer::from(error));
-    let (lower, upper) = (nearest(&size - &error)?, nearest(&size + &error)?);
-    (lower == upper).then_some(lower)
 }
 
 /// The number nearest to a/√s for s > 0.
