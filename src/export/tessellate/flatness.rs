@@ -184,7 +184,7 @@ impl Level {
 fn halvings(degree: usize) -> u32 {
     match degree {
         0..=1 => 0,
-        2..=4 => 2,
+        2..=4 => 4,
         5..=20 => 3,
         21..=60 => 2,
         _ => 1,
@@ -354,16 +354,20 @@ fn halves_of(mut row: Vec<[Integer; 4]>) -> [Vec<[Integer; 4]>; 2] {
     [left, right]
 }
 
-/// The least integer that is not below ‖(x, y, z)‖.
+/// An integer that is not below ‖(x, y, z)‖, and hardly above: from 62 digits of the coordinates.
 fn length([_, point @ ..]: &[Integer; 4]) -> Integer {
-    let square = point.iter().map(|own| own * own);
-    let square = square.fold(Integer::from(0), |sum, own| sum + own);
-    let root = square.sqrt();
-    if &root * &root < square {
-        root + 1
-    } else {
-        root
+    const DIGITS: u64 = 62;
+    let longest = point.iter().map(Integer::bits).max().unwrap_or_default();
+    let dropped = longest.saturating_sub(DIGITS);
+    let mut square = 0_u128;
+    for own in point {
+        let size = (own.abs() >> dropped).machine().unwrap_or_default();
+        let size = size.unsigned_abs() + u128::from(dropped > 0);
+        square += size * size;
     }
+    let root = square.isqrt();
+    let root = root + u128::from(root * root < square);
+    Integer::from(root) << dropped
 }
 
 /// The least integer that is not below n/d; d > 0.
