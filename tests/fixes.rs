@@ -361,6 +361,11 @@ const CASES: &[(Code, &str, &str)] = &[
         "sweep c(v) in xy = (v, 1)\nsurface R = c(v) + u c.n(v) + u k",
     ),
     (
+        Code::E0109,
+        "let f(v, u) = u - 2 v\nsurface R = (u, v, f(u, v))",
+        "let f(u, v) = u - 2 v\nsurface R = (u, v, f(u, v))",
+    ),
+    (
         Code::E0111,
         "sweep c(v) in xy = (v, 1)\nsurface R = c(v) + u c.normal(v) + u k",
         "sweep c(v) in xy = (v, 1)\nsurface R = c(v) + u c.n(v) + u k",

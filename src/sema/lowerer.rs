@@ -419,16 +419,26 @@ impl<'a> Lowerer<'a> {
         }))
     }
 
+    /// The parameters of a function: u, v, or both in this order.
     fn parameters(&mut self, names: &[Name]) -> Lowered<Vec<Parameter>> {
         let mut parameters = Vec::new();
         for name in names {
-            match parameter_of(&name.text) {
-                Some(parameter) if !parameters.contains(&parameter) => parameters.push(parameter),
-                _ => {
-                    let message = format!("a function takes `u`, `v` or both, not `{}`", name.text);
-                    return Err(self.report(Diagnostic::new(Code::E0109, name.span, message)));
+            let message = match parameter_of(&name.text) {
+                Some(own) if !parameters.contains(&own) => {
+                    parameters.push(own);
+                    continue;
                 }
-            }
+                Some(_) => format!("the parameter `{}` stands twice", name.text),
+                None => format!("a function takes `u`, `v` or both, not `{}`", name.text),
+            };
+            let finding = Diagnostic::new(Code::E0109, name.span, message);
+            return Err(self.report(finding.help("write `(u)`, `(v)` or `(u, v)`")));
+        }
+        if let ([Parameter::V, Parameter::U], [first, .., last]) = (parameters.as_slice(), names) {
+            let span = first.span.to(last.span);
+            let finding = Diagnostic::new(Code::E0109, span, "`u` stands before `v`");
+            let finding = finding.help("write `(u, v)`, and the arguments in this order");
+            return Err(self.report(finding.fix(span, "u, v")));
         }
         Ok(parameters)
     }

@@ -271,6 +271,28 @@ pub(crate) const ROWS: &[Row] = &[
         &["E0104"],
         &["a → b → c → a"],
     ),
+    // the parameters of a function
+    row(
+        40,
+        Text("let f(v,u) = u - 2 v"),
+        1,
+        &["E0109"],
+        &["x.sweep:1:7\n", "`u` stands before `v`", "write `(u, v)`"],
+    ),
+    row(
+        40,
+        Text("let f(u,u) = u"),
+        1,
+        &["E0109"],
+        &["x.sweep:1:9\n", "the parameter `u` stands twice"],
+    ),
+    row(
+        40,
+        Text("let f(w) = 1"),
+        1,
+        &["E0109"],
+        &["a function takes `u`, `v` or both, not `w`"],
+    ),
     // parameters
     run(
         48,
