@@ -1,4 +1,4 @@
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
 use crate::diag::SourceMap;
@@ -100,7 +100,7 @@ pub(super) fn options(
 ///
 /// # Errors
 ///
-/// One that has another form, a value beyond the limits of literals.
+/// One that has another form, a value beyond the limits of literals, a second value of a name.
 pub(super) fn assignments(arguments: &Arguments) -> Result<Vec<(String, Real)>, Refusal> {
     let limits = arguments.limits();
     let assignment = |own: &String| {
@@ -112,7 +112,13 @@ pub(super) fn assignments(arguments: &Arguments) -> Result<Vec<(String, Real)>, 
         let number = number.map_err(|own| own.of_option(value, &format!("-D {name}=…")))?;
         Ok((canonical_name(name), Real::from(number)))
     };
-    arguments.set.iter().map(assignment).collect()
+    let assignments = arguments.set.iter().map(assignment);
+    let assignments = assignments.collect::<Result<Vec<_>, Refusal>>()?;
+    let mut names = HashSet::new();
+    match assignments.iter().find(|(name, _)| !names.insert(name)) {
+        Some((name, _)) => Err(Misuse(format!("`{name}` is given its value twice")).into()),
+        None => Ok(assignments),
+    }
 }
 
 /// The values that replace those of parameters, once they and the surface asked for are known to

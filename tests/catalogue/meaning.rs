@@ -318,6 +318,22 @@ pub(crate) const ROWS: &[Row] = &[
         &[],
         &["not of the form NAME=VALUE"],
     ),
+    run(
+        48,
+        "param a = 1",
+        &["check", "x.sweep", "-D", "a=1", "-D", "a=2"],
+        2,
+        &[],
+        &["sweepc: `a` is given its value twice"],
+    ),
+    run(
+        48,
+        "param μ = 1",
+        &["check", "x.sweep", "-D", "μ=1", "--set", "\u{b5}=1"],
+        2,
+        &[],
+        &["`μ` is given its value twice"],
+    ),
     // numbers that no double is near to
     run(
         58,
