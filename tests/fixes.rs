@@ -81,6 +81,17 @@ const CASES: &[(Code, &str, &str)] = &[
         "surface R = (u, v, 0, )",
         "surface R = (u, v, 0 )",
     ),
+    // separators
+    (
+        Code::E0006,
+        "surface R = (u; v; 0)",
+        "surface R = (u, v, 0)",
+    ),
+    (
+        Code::E0006,
+        "sweep c(v) in xy on [0, 2] = bezier([(0, 0); (3; 4)], weights: [1; 2])\nsurface R = c(v) + u k",
+        "sweep c(v) in xy on [0, 2] = bezier([(0, 0), (3, 4)], weights: [1, 2])\nsurface R = c(v) + u k",
+    ),
     // signs
     (
         Code::E0006,

@@ -46,6 +46,9 @@ fn hint(source: &Source<'_>, at: usize, what: &'static str) -> Option<String> {
             "a point is written `(a, b)`; a list stands only as an argument of a curve"
         }
         (Text, _) => "a string stands only as an argument and behind `import`",
+        (Semicolon, "`)`" | "`]`" | "`,`") if goes_on_behind(source, at) => {
+            "write `,` between entries"
+        }
         (Semicolon, _) => "no `;` is needed",
         (Equal, "an expression") if before == Equal => "a declaration has one `=`",
         (Colon, "`=`") => "write `=`",
@@ -105,6 +108,16 @@ fn equal_missing(source: &Source<'_>, at: usize) -> Option<String> {
     }
 }
 
+/// Whether another entry may begin behind a token.
+fn goes_on_behind(source: &Source<'_>, at: usize) -> bool {
+    use TokenKind::*;
+    let ends = matches!(
+        source.kind(at + 1),
+        CloseParenthesis | CloseBracket | Comma | Semicolon | End
+    );
+    !ends && !source.begins_declaration(at + 1)
+}
+
 type Edit = (Span, String);
 
 /// The edit that undoes a slip.
@@ -137,6 +150,7 @@ fn edit(source: &Source<'_>, at: usize, what: &'static str) -> Option<Edit> {
             replaced(span.to(source.span(source.token(at + 1))), "=")
         }
         (Colon, "`=`") => replaced(span, "="),
+        (Semicolon, "`)`" | "`]`" | "`,`") if goes_on_behind(source, at) => commas(source, at),
         (Prime, "a string") => quoted(source, at),
         (Name | Dot | Slash, "a string") => path(source, at),
         (Equal | Keyword(_), "`]`") => replaced(end_of(previous), "]"),
@@ -155,6 +169,31 @@ fn edit(source: &Source<'_>, at: usize, what: &'static str) -> Option<Edit> {
         (_, "`=`") => before_the_value(source, at),
         _ => None,
     }
+}
+
+/// Commas in place of the semicolon at an index and of those that follow in the brackets around.
+fn commas(source: &Source<'_>, at: usize) -> Option<Edit> {
+    use TokenKind::*;
+    if surplus(source, at) != (0, 0) {
+        return None;
+    }
+    let start = (0..at).rev().find(|own| source.begins_declaration(*own))?;
+    let (mut depth, mut last) = (0_usize, at);
+    for index in start + 1..source.tokens.len() {
+        match source.kind(index) {
+            OpenParenthesis | OpenBracket => depth += 1,
+            CloseParenthesis | CloseBracket => depth = depth.checked_sub(1)?,
+            Semicolon if depth > 0 && goes_on_behind(source, index) => last = index,
+            Semicolon => return None,
+            _ if source.begins_declaration(index) => break,
+            _ => {}
+        }
+    }
+    let whole = source.span(source.token(at));
+    let whole = whole.to(source.span(source.token(last)));
+    let written = source.slice(whole);
+    let is_plain = !written.contains(['#', '"']);
+    is_plain.then(|| (whole, written.replace(';', ",")))
 }
 
 /// The edit where a declaration goes on without its `=`.
