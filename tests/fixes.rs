@@ -136,6 +136,11 @@ const CASES: &[(Code, &str, &str)] = &[
     ),
     (
         Code::E0006,
+        "// a flat surface\nsurface R = (u, v, 0)",
+        "# a flat surface\nsurface R = (u, v, 0)",
+    ),
+    (
+        Code::E0006,
         "surface R = (u, v, 0);",
         "surface R = (u, v, 0)",
     ),

@@ -103,6 +103,13 @@ const SLIPS: &[(Code, &str, &str)] = &[
     ),
     (Code::E0006, "let a = «+»1", "leading `+`"),
     (Code::E0006, "let a = 1 /«/» text", "`#`"),
+    (
+        Code::E0006,
+        "«//» text",
+        "unexpected `//`; a comment begins with `#`",
+    ),
+    (Code::E0006, "«/*» text */\nlet a = 1", "`#`"),
+    (Code::E0006, "«/» 2", "unexpected `/`"),
     (Code::E0006, "let a = (1, «)»", "remove the comma"),
     (Code::E0006, "let a = f(b«]»", "expected `)`, found `]`"),
     (Code::E0006, "let a = b«)»", "closes nothing"),

@@ -330,6 +330,7 @@ pub(super) fn stray(input: Stream<'_>) -> Option<Diagnostic> {
     let help = match input.kind() {
         Unknown => return None,
         Comma => return Some(stray_comma(source, input.at)),
+        Slash => return Some(stray_slash(source, input.at)),
         CloseParenthesis | CloseBracket => {
             return Some(unexpected(format!("{found} closes nothing")));
         }
@@ -364,6 +365,22 @@ pub(super) fn stray(input: Stream<'_>) -> Option<Diagnostic> {
         _ => return Some(unexpected(format!("unexpected {found}"))),
     };
     Some(unexpected(format!("unexpected {found}")).help(help))
+}
+
+/// E0006 at a stroke that begins no declaration, but perhaps a comment.
+fn stray_slash(source: &Source<'_>, at: usize) -> Diagnostic {
+    use TokenKind::*;
+    let (span, next) = (source.span(source.token(at)), source.token(at + 1));
+    if !source.touches_next(at) || !matches!(next.kind, Slash | Star | DoubleStar) {
+        return Diagnostic::new(Code::E0006, span, "unexpected `/`");
+    }
+    let span = span.to(source.span(next));
+    let message = format!("unexpected `{}`", source.slice(span));
+    let finding = Diagnostic::new(Code::E0006, span, message).help("a comment begins with `#`");
+    match next.kind {
+        Slash => finding.fix(span, "#"),
+        _ => finding,
+    }
 }
 
 /// E0007, or E0006 at a comma behind a value.
