@@ -60,6 +60,17 @@ const CASES: &[(Code, &str, &str)] = &[
         "surface R = (u, v, 0)\nlet a = 1,5",
         "surface R = (u, v, 0)\nlet a = 1.5",
     ),
+    (
+        Code::E0106,
+        "surface R = (u, v, 1,5)",
+        "surface R = (u, v, 1.5)",
+    ),
+    // two points without their parentheses, perhaps
+    (
+        Code::E0106,
+        "curve c(v) in xy = bezier([(1,2, 3,4), (5, 6)])\nsurface R = (u, v, 0)",
+        "",
+    ),
     // brackets
     (
         Code::E0006,

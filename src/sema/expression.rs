@@ -1,5 +1,5 @@
 use crate::curve::Axis;
-use crate::diag::{Code, Span};
+use crate::diag::{Code, Diagnostic, Span};
 use crate::number::{Field, Rational, Real};
 use crate::sweep::{Domain, Expander, Scalar};
 use crate::syntax::ast::{Expr, ExprKind, Name, Sign};
@@ -291,7 +291,17 @@ impl<'a> Lowerer<'a> {
             .collect::<Vec<_>>()
             .into_iter()
             .collect::<Lowered<Vec<Scalar>>>()?;
+        if values.len() > 3 {
+            let finding = self.entry_count(span, values.len(), scope);
+            return Err(self.report(self.with_decimal_points(finding, entries)));
+        }
         self.tuple_of(span, values, scope)
+    }
+
+    /// E0106.
+    fn entry_count(&self, span: Span, count: usize, scope: &Scope<'_>) -> Diagnostic {
+        let message = format!("{count} entries: a pair has two, a vector three");
+        self.finding(scope, Code::E0106, span, message)
     }
 
     pub(super) fn tuple_of(
@@ -304,12 +314,7 @@ impl<'a> Lowerer<'a> {
             Ok(vector) => Ok(Value::Vector(vector)),
             Err(values) => match <[Scalar; 2]>::try_from(values) {
                 Ok(pair) => Ok(Value::Pair(pair)),
-                Err(values) => {
-                    let message =
-                        format!("{} entries: a pair has two, a vector three", values.len());
-                    let finding = self.finding(scope, Code::E0106, span, message);
-                    Err(self.report(finding))
-                }
+                Err(values) => Err(self.report(self.entry_count(span, values.len(), scope))),
             },
         }
     }

@@ -9,6 +9,7 @@ mod bare;
 mod call;
 mod constructor;
 mod curve;
+mod decimal_comma;
 mod definition;
 mod definitions;
 mod expectation;

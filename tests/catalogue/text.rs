@@ -293,6 +293,20 @@ pub(crate) const ROWS: &[Row] = &[
     ),
     row(20, Text("let a = 1,5"), 1, &["E0007"], &["write `1.5`"]),
     row(20, Text("surface R = (1,5 u,v)"), 0, &[], &[]),
+    row(
+        20,
+        Text("surface R = (u, v, 1,5)"),
+        1,
+        &["E0106"],
+        &["4 entries", "a decimal fraction is written `1.5`"],
+    ),
+    row(
+        20,
+        Text("surface R = (1,25, 2,75 u, v, 0)"),
+        1,
+        &["E0106"],
+        &["6 entries", "a decimal fraction is written `1.25`"],
+    ),
     // division by zero, with the divisor and the quotient
     row(
         21,
