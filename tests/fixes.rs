@@ -269,6 +269,11 @@ const CASES: &[(Code, &str, &str)] = &[
         "sweep c(v) in xy on [2, 1/2] = (v, 1)\nsurface R = c(v) + u k",
         "sweep c(v) in xy on [1/2, 2] = (v, 1)\nsurface R = c(v) + u k",
     ),
+    (
+        Code::E0006,
+        "sweep c(v) in xy = ph_hermite((0, 0), (0, 4), (2, 2), (4, 0), branch: ++)\nsurface R = c(v) + u k",
+        "sweep c(v) in xy = ph_hermite((0, 0), (0, 4), (2, 2), (4, 0), branch: \"++\")\nsurface R = c(v) + u k",
+    ),
     // products and powers
     (
         Code::E0008,

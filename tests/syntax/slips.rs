@@ -118,6 +118,16 @@ const SLIPS: &[(Code, &str, &str)] = &[
     (Code::E0006, "let a = f([«[»1, 2]])", "list"),
     (Code::E0006, "let a = «\"b\"»", "string"),
     (Code::E0006, "import «'»a'", "double quotes"),
+    (
+        Code::E0006,
+        "sweep c(v) in xy = ph_hermite(a, b, branch: «+-»)",
+        "write `\"+-\"`",
+    ),
+    (
+        Code::E0006,
+        "sweep c(v) in xy = ph_hermite(branch: «−−», a, b)",
+        "write `\"--\"`",
+    ),
     (Code::E0006, "unit «in»", "inch"),
     (Code::E0006, "let a = (b)«'»", "behind a name"),
     (Code::E0006, "let a = n(v)«'»", "`f'(v)`"),

@@ -469,11 +469,41 @@ fn argument(input: Stream<'_>) -> Parsed<'_, Argument> {
         false => (input, None),
     };
     let (rest, value) = match rest.kind() {
+        _ if label.as_ref().is_some_and(|own| own.text == "branch") && is_bare_branch(rest) => {
+            bare_branch(rest)
+        }
         TokenKind::Text => text(rest)?,
         TokenKind::OpenBracket => list(rest)?,
         _ => cut(expression).parse(rest)?,
     };
     Ok((rest, Argument { label, value }))
+}
+
+/// Whether two signs and nothing more come next.
+fn is_bare_branch(input: Stream<'_>) -> bool {
+    use TokenKind::*;
+    let is_sign = |ahead| matches!(input.source.kind(input.at + ahead), Plus | Minus);
+    let behind = input.source.kind(input.at + 2);
+    is_sign(0) && is_sign(1) && matches!(behind, Comma | CloseParenthesis)
+}
+
+/// `+-`, which is a string without its quotes.
+fn bare_branch(input: Stream<'_>) -> (Stream<'_>, Expr) {
+    let rest = input.take_from(2);
+    let span = input.span_until(rest);
+    let sign = |ahead| match input.source.kind(input.at + ahead) {
+        TokenKind::Plus => "+",
+        _ => "-",
+    };
+    let branch = [sign(0), sign(1)].concat();
+    let quoted = format!("\"{branch}\"");
+    let message = format!("the branch `{branch}` stands without quotes");
+    let finding = Diagnostic::new(Code::E0006, span, message);
+    input
+        .source
+        .report(finding.help(format!("write `{quoted}`")).fix(span, quoted));
+    let kind = ExprKind::Text(branch);
+    (rest, Expr { span, kind })
 }
 
 fn text(input: Stream<'_>) -> Parsed<'_, Expr> {
