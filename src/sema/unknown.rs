@@ -10,8 +10,8 @@ use super::lowerer::{Lowerer, Reported, parameter_of};
 use super::scope::Scope;
 use super::spelling;
 
-/// Words of mathematics that the language cannot have, for they are not rational.
-const IRRATIONAL: [&str; 8] = ["pi", "π", "sin", "cos", "tan", "exp", "log", "ln"];
+/// Words of mathematics that the language cannot have, for their values are no square roots.
+const TRANSCENDENTAL: [&str; 8] = ["pi", "π", "sin", "cos", "tan", "exp", "log", "ln"];
 
 /// How far back the start of a line is looked for.
 const LONGEST_LINE: usize = 200;
@@ -51,8 +51,11 @@ impl Lowerer<'_> {
             finding
                 .help(format!("write `{keyword}`"))
                 .fix(name.span, keyword)
-        } else if IRRATIONAL.contains(&text) {
-            finding.help("all values are rational: `turn(h)` is the cosine and sine of 2 arctan h")
+        } else if TRANSCENDENTAL.contains(&text) {
+            finding.help(
+                "values are made of rational numbers and square roots; \
+                 `turn(h)` is the cosine and sine of 2 arctan h",
+            )
         } else if Unit::from_symbol(text).is_some() {
             finding.help(format!(
                 "numbers carry no unit; `unit {text}` holds for the file"

@@ -568,6 +568,10 @@ fn misplaced(c: char, span: Span) -> Diagnostic {
         '|' => finding.help("there is no `or` and no absolute value; `norm2(a)` is a·a"),
         '!' => finding.help("`!=` is the only sign with `!`"),
         '√' => finding.help("write `sqrt(…)`"),
+        '°' => finding.help(
+            "an angle stands by its cosine and sine: `turn(h)` is those of 2 arctan h, so that \
+             `turn(1)` turns by a right angle",
+        ),
         _ => finding,
     }
 }

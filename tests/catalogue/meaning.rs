@@ -258,6 +258,13 @@ pub(crate) const ROWS: &[Row] = &[
         &["x.sweep:2:9\n", "did you mean `width`?"],
     ),
     row(
+        41,
+        Text("let a = sqrt(2) pi"),
+        1,
+        &["E0101"],
+        &["made of rational numbers and square roots; `turn(h)` is the cosine and sine"],
+    ),
+    row(
         42,
         Text("let a = 1\nlet a = 2"),
         1,

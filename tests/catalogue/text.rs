@@ -55,6 +55,21 @@ pub(crate) const ROWS: &[Row] = &[
         &["E0002"],
         &["x.sweep:1:6", "at byte 5"],
     ),
+    // an angle in degrees
+    row(
+        3,
+        Text("let a = 30°"),
+        1,
+        &["E0002"],
+        &["x.sweep:1:11\n", "`turn(h)` is those of 2 arctan h"],
+    ),
+    row(
+        3,
+        Text("let a = turn(1)\nsurface R = (u, v, 0)\nexpect a == (0, 1)"),
+        0,
+        &[],
+        &[],
+    ),
     // a byte-order mark at the start, and elsewhere
     row(4, Text("\u{feff}surface R = (u, v, 0)\n"), 0, &[], &[]),
     run(
