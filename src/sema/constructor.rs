@@ -25,7 +25,11 @@ impl<'a> Lowerer<'a> {
     ) -> Option<Diagnostic> {
         if kinds::RESERVED.contains(&name.text.as_str()) {
             let message = format!("`{}` is not in this version", name.text);
-            return Some(self.finding(scope, Code::E0110, name.span, message));
+            let finding = self.finding(scope, Code::E0110, name.span, message);
+            return Some(match instead_of(&name.text) {
+                Some(help) => finding.help(help),
+                None => finding,
+            });
         }
         self.constructor(name)?;
         let message = format!("`{}` makes a curve, it is no value", name.text);
@@ -177,6 +181,19 @@ impl<'a> Lowerer<'a> {
             }
         }
     }
+}
+
+/// What to write instead of a constructor of a later version.
+fn instead_of(name: &str) -> Option<&'static str> {
+    Some(match name {
+        "circle" => "write `arc(center: C, start: P, end: Q)` for each part below 180°",
+        "bspline" => "write a `bezier` for each span",
+        "join" => "declare each curve, and a surface for each",
+        "ph_spline" => "write a `ph_hermite` for each span",
+        "ph3" | "re_hermite" | "rrmf" => "state the curve by its coordinates, `(x, y, z)`",
+        "envelope" | "motion" => "state the surface by a formula, or by a `construction`",
+        _ => return None,
+    })
 }
 
 /// E0107, with the right form of the constructor.

@@ -264,6 +264,28 @@ pub(crate) const ROWS: &[Row] = &[
         &["E0101"],
         &["made of rational numbers and square roots; `turn(h)` is the cosine and sine"],
     ),
+    // words of a later version
+    row(
+        41,
+        Text("sweep c(v) in xy = circle(center: (0, 0), radius: 1)"),
+        1,
+        &["E0110"],
+        &["x.sweep:1:20\n", "write `arc(center: C, start: P, end: Q)`"],
+    ),
+    row(
+        41,
+        Text("sweep c(v) in xy = bspline(degree: 2, knots: [0, 1], points: [(0, 0)])"),
+        1,
+        &["E0110"],
+        &["write a `bezier` for each span"],
+    ),
+    row(
+        41,
+        Text("curve a(v) = (v, 0, 0)\ncurve b(v) = (v, 1, 0)\nsweep c(v) = join(a, b)"),
+        1,
+        &["E0110"],
+        &["declare each curve, and a surface for each"],
+    ),
     row(
         42,
         Text("let a = 1\nlet a = 2"),
