@@ -100,7 +100,7 @@ impl<'a> Lowerer<'a> {
             Shape::Number => Ok(kinds::Value::Number(self.constant_number(expr)?)),
             Shape::Point => Ok(kinds::Value::Point(self.constant_point(expr)?)),
             Shape::Points | Shape::Pairs => {
-                let entries = self.entries(kind, expr)?;
+                let entries = self.entries(kind, slot, expr)?;
                 let points = entries.iter().map(|entry| self.constant_point(entry));
                 // every entry is looked at, so that one run shows all errors
                 let points = points.collect::<Vec<_>>();
@@ -122,7 +122,7 @@ impl<'a> Lowerer<'a> {
                 }
             }
             Shape::Numbers => {
-                let entries = self.entries(kind, expr)?;
+                let entries = self.entries(kind, slot, expr)?;
                 let numbers = entries.iter().map(|entry| self.constant_number(entry));
                 let numbers = numbers.collect::<Vec<_>>();
                 let numbers = numbers.into_iter().collect::<Lowered<Vec<Real>>>()?;
@@ -145,7 +145,7 @@ impl<'a> Lowerer<'a> {
         }
     }
 
-    fn entries(&mut self, kind: &Kind, expr: &'a Expr) -> Lowered<&'a [Expr]> {
+    fn entries(&mut self, kind: &Kind, slot: &Slot, expr: &'a Expr) -> Lowered<&'a [Expr]> {
         match &expr.kind {
             ExprKind::List(entries) if !entries.is_empty() => {
                 let missing = entries.iter().filter_map(comma_missing);
@@ -153,6 +153,15 @@ impl<'a> Lowerer<'a> {
                     Some(reported) => Err(reported),
                     None => Ok(entries),
                 }
+            }
+            ExprKind::List(_) => {
+                let needed = match slot.shape {
+                    Shape::Points => "two points or more are needed",
+                    Shape::Pairs => "one pair or more is needed",
+                    _ => "a number for each point is needed",
+                };
+                let what = format!("the list is empty, {needed}");
+                Err(self.report_usage(kind, expr.span, &what))
             }
             _ => Err(self.report_usage(kind, expr.span, "a list in square brackets is needed")),
         }

@@ -102,6 +102,27 @@ pub(crate) const ROWS: &[Row] = &[
         &["its hodograph is zero"],
     ),
     row(
+        27,
+        Text(along!("in xy = bezier([])")),
+        1,
+        &["E0107"],
+        &["`bezier`: the list is empty, two points or more are needed"],
+    ),
+    row(
+        27,
+        Text(along!("in xy = bezier([(0, 0), (1, 1)], weights: [])")),
+        1,
+        &["E0107"],
+        &["the list is empty, a number for each point is needed"],
+    ),
+    row(
+        27,
+        Text(along!("in xy = ph(start: (0, 0), preimage: [])")),
+        1,
+        &["E0107"],
+        &["the list is empty, one pair or more is needed"],
+    ),
+    row(
         28,
         Text(CUSP),
         0,
