@@ -146,6 +146,35 @@ fn standard_input_may_be_one_of_the_files_but_once() {
 }
 
 #[test]
+fn standard_input_has_one_name() {
+    let folder = files(&[]);
+    for (arguments, status_of_it, text, message) in [
+        (
+            &["check", "-"][..],
+            0,
+            "",
+            "warning[W1007]: `<stdin>` declares no surface",
+        ),
+        (
+            &["report", "-"],
+            1,
+            "",
+            "error[E0303]: nothing to build: `<stdin>` declares no surface",
+        ),
+        (
+            &["check", "-", "-D", "b=1"],
+            2,
+            SOUND,
+            "sweepc: `b` is not a parameter of `<stdin>`; there are: a",
+        ),
+    ] {
+        let output = run(folder.path(), arguments, text);
+        assert_eq!(status(&output), status_of_it);
+        assert!(err(&output).starts_with(message), "{}", err(&output));
+    }
+}
+
+#[test]
 fn quiet_runs_tell_errors_only() {
     // κ = −1 for the clockwise unit circle: the surface folds, which is a warning
     let warned = "profile p(u) in xz = (2u, u)

@@ -4,6 +4,7 @@ use std::path::Path;
 use crate::diag::{Code, Diagnostic, Diagnostics, SourceMap, render_json};
 
 use super::arguments::{Arguments, CheckArguments, CheckFormat};
+use super::output::shown;
 use super::parallel::Crew;
 use super::progress;
 use super::refusal::Refusal;
@@ -76,7 +77,7 @@ pub(super) fn run(own: &CheckArguments, arguments: &Arguments, stack: usize) -> 
         return misuse.complain();
     }
     match own.files.as_slice() {
-        [file] => progress::begin(&file.display().to_string()),
+        [file] => progress::begin(&shown(file)),
         files => progress::begin_files(files.len()),
     }
     let (mut worst, mut codes) = (Status::Success, BTreeSet::new());
@@ -115,12 +116,12 @@ fn check(file: &Path, own: &CheckArguments, arguments: &Arguments, voice: Voice)
     let sources = &session.sources;
     let diagnostics = &mut session.compilation.diagnostics;
     if session.readable && session.compilation.surfaces.is_empty() && !diagnostics.has_errors() {
-        let message = format!("`{}` declares no surface", file.display());
+        let message = format!("`{}` declares no surface", shown(file));
         diagnostics.push(Diagnostic::global(Code::W1007, message));
     }
     let mut checked = Checked::of(diagnostics, sources, own.format, voice);
     if voice.is_verbose {
-        let lines = session.stopwatch.lines(&file.display().to_string());
+        let lines = session.stopwatch.lines(&shown(file));
         checked.err.push_str(&lines);
     }
     checked

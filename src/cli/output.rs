@@ -1,7 +1,7 @@
 use std::ffi::{OsStr, OsString};
 use std::path::Path;
 
-/// The last part of a file's name; standard input is called `stdin`.
+/// The last part of a file's name; standard input is called `<stdin>`.
 pub(super) fn file_name(file: &Path) -> String {
     if file == Path::new("-") {
         return "<stdin>".to_owned();
@@ -10,6 +10,14 @@ pub(super) fn file_name(file: &Path) -> String {
         .unwrap_or(file.as_os_str())
         .to_string_lossy()
         .into_owned()
+}
+
+/// The file as messages call it.
+pub(super) fn shown(file: &Path) -> String {
+    if file == Path::new("-") {
+        return "<stdin>".to_owned();
+    }
+    file.display().to_string()
 }
 
 /// The name without its extension, as it is on disk, for the names of output files.

@@ -3,7 +3,7 @@ use crate::pipeline::Compilation;
 use crate::report::{render_json, render_markdown, render_text};
 
 use super::arguments::{Arguments, ReportArguments, ReportFormat};
-use super::output::file_name;
+use super::output::{file_name, shown};
 use super::progress;
 use super::session::Session;
 use super::status::Status;
@@ -51,7 +51,7 @@ pub(super) fn require_surfaces(
     file: &std::path::Path,
 ) {
     if readable && compilation.surfaces.is_empty() && !compilation.diagnostics.has_errors() {
-        let message = format!("nothing to build: `{}` declares no surface", file.display());
+        let message = format!("nothing to build: `{}` declares no surface", shown(file));
         let finding = Diagnostic::global(Code::E0303, message);
         compilation
             .diagnostics

@@ -10,6 +10,7 @@ use crate::syntax::canonical_name;
 
 use super::arguments::Arguments;
 use super::numeral::numeral;
+use super::output::shown;
 use super::parsed::Parsed;
 use super::refusal::Refusal;
 use super::status::Status;
@@ -195,7 +196,7 @@ fn check_name(name: &str, known: &[&str], kind: &str, file: &Path) -> Result<(),
     let meant = meant.map_or(String::new(), |own| format!("; did you mean `{own}`?"));
     Err(Misuse(format!(
         "`{name}` is not a {kind} of `{}`; {list}{meant}",
-        file.display()
+        shown(file)
     )))
 }
 

@@ -5,6 +5,7 @@ use csv::{ByteRecord, ReaderBuilder, Trim};
 
 use crate::cli::load::read;
 use crate::cli::numeral::numeral;
+use crate::cli::output::shown;
 use crate::diag::{Code, Diagnostic, Diagnostics, FileId, Limits, SourceMap, Span};
 use crate::number::Rational;
 use crate::sema::nearest;
@@ -178,7 +179,7 @@ impl List {
         let mut findings = Diagnostics::default();
         let known = |own: &&String| !parameters.contains(&own.as_str());
         for name in self.names.iter().filter(known) {
-            let message = format!("`{name}` is not a parameter of `{}`", file.display());
+            let message = format!("`{name}` is not a parameter of `{}`", shown(file));
             let mut finding = Diagnostic::new(Code::E0112, self.header, message);
             if !parameters.is_empty() {
                 finding = finding.note(format!("there are: {}", parameters.join(", ")));

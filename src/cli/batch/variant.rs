@@ -2,7 +2,7 @@ use std::collections::BTreeSet;
 use std::path::PathBuf;
 
 use crate::cli::emit::{Emit, Product, keeps_files};
-use crate::cli::output::named;
+use crate::cli::output::{named, shown};
 use crate::cli::parsed::Parsed;
 use crate::cli::report::require_surfaces;
 use crate::cli::status::Status;
@@ -72,9 +72,9 @@ impl<'a> Variant<'a> {
         let pairs = self.parameters.iter();
         let pairs: Vec<_> = pairs.map(|(name, own)| format!("{name} = {own}")).collect();
         if pairs.is_empty() {
-            return self.input.file.display().to_string();
+            return shown(&self.input.file);
         }
-        format!("{}, {}", self.input.file.display(), pairs.join(", "))
+        format!("{}, {}", shown(&self.input.file), pairs.join(", "))
     }
 
     /// Compiles it, up to the bytes of its files.
