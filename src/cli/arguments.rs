@@ -108,11 +108,12 @@ pub(super) struct CompileArguments {
     )]
     pub(super) emit: Vec<String>,
     /// Where pictures are seen from: `iso`, `front`, `back`, `left`, `right`, `top`, `bottom`, or
-    /// AZIMUTH,ELEVATION in degrees
+    /// AZIMUTH,ELEVATION in degrees, the elevation from -90 to 90
     #[arg(
         long,
         default_value = "iso",
         allow_hyphen_values = true,
+        value_parser = view,
         value_name = "VIEW"
     )]
     pub(super) view: View,
@@ -249,6 +250,13 @@ struct LimitArguments {
     /// Memory of a run, where the system tells it
     #[arg(long, value_name = "MIB", global = true, default_value_t = 2048)]
     max_memory: u64,
+}
+
+/// Reads a view; the range of its elevation is part of what is said of another one.
+fn view(text: &str) -> Result<View, String> {
+    let range = "with an elevation from -90 to 90";
+    text.parse::<View>()
+        .map_err(|own| format!("{own}, {range}"))
 }
 
 impl Arguments {

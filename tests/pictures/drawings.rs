@@ -289,5 +289,7 @@ fn a_view_is_a_name_or_two_angles() {
             "",
         );
         assert_eq!(output.status.code(), Some(2), "{view}");
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert!(said.contains("elevation from -90 to 90"), "{said}");
     }
 }
