@@ -85,7 +85,11 @@ const SLIPS: &[(Code, &str, &str)] = &[
         "expected `x`",
     ),
     (Code::E0006, "surface R = q «where» q = 1", "construction"),
-    (Code::E0006, "let a = 1 «on» [0, 1]", "before the `=`"),
+    (
+        Code::E0006,
+        "let a = 1 «on» [0, 1]",
+        "unexpected keyword `on`; `on` stands before the `=`",
+    ),
     (
         Code::E0006,
         "construction f «=» q",
@@ -117,6 +121,7 @@ const SLIPS: &[(Code, &str, &str)] = &[
     (Code::E0006, "let a = b «[»1]", "list"),
     (Code::E0006, "let a = f([«[»1, 2]])", "list"),
     (Code::E0006, "let a = «\"b\"»", "string"),
+    (Code::E0006, "let a = b «\"b\"»", "unexpected string"),
     (Code::E0006, "import «'»a'", "double quotes"),
     (
         Code::E0006,

@@ -317,6 +317,7 @@ pub(super) fn stray(input: Stream<'_>) -> Option<Diagnostic> {
     use TokenKind::*;
     let source = input.source;
     let found = source.described(input.first());
+    let bare = found.trim_start_matches("the ").trim_start_matches("a ");
     let unexpected = |message: String| Diagnostic::new(Code::E0006, input.span(), message);
     if input.kind() != Unknown
         && let Some((index, keyword)) = misspelt_keyword(input)
@@ -362,9 +363,9 @@ pub(super) fn stray(input: Stream<'_>) -> Option<Diagnostic> {
                 false => finding,
             });
         }
-        _ => return Some(unexpected(format!("unexpected {found}"))),
+        _ => return Some(unexpected(format!("unexpected {bare}"))),
     };
-    Some(unexpected(format!("unexpected {found}")).help(help))
+    Some(unexpected(format!("unexpected {bare}")).help(help))
 }
 
 /// E0006 at a stroke that begins no declaration, but perhaps a comment.
