@@ -163,8 +163,13 @@ impl List {
         limits: &Limits,
     ) -> Result<Vec<Rational>, Box<Diagnostic>> {
         if fields.len() != self.names.len() {
-            let (found, wanted) = (fields.len(), self.names.len());
-            let message = format!("this line has {found} values, the first line {wanted} names");
+            let counted = |count: usize, noun: &str| match count {
+                1 => format!("1 {noun}"),
+                _ => format!("{count} {noun}s"),
+            };
+            let found = counted(fields.len(), "value");
+            let wanted = counted(self.names.len(), "name");
+            let message = format!("this line has {found}, the first line {wanted}");
             return Err(Box::new(Diagnostic::new(Code::E0605, span, message)));
         }
         let number = |own: &String| {
