@@ -56,10 +56,9 @@ pub fn render_text(diagnostic: &Diagnostic, sources: &SourceMap, style: Style) -
             let preview = Preview::of(with_line_feeds(text), change, &fix.text);
             let patch = Patch::new(preview.change, preview.replacement);
             let lines = Snippet::source(preview.text).line_start(preview.first);
-            let title = clipped(help.as_deref().unwrap_or("write"));
-            groups.push(
-                Group::with_title(Level::HELP.secondary_title(title)).element(lines.patch(patch)),
-            );
+            let title = help.clone().unwrap_or_else(|| words(&fix.text));
+            let title = Level::HELP.secondary_title(clipped(&title).into_owned());
+            groups.push(Group::with_title(title).element(lines.patch(patch)));
         }
         (None, Some(help)) => main = main.element(Level::HELP.message(clipped(help))),
         (None, None) => {}
@@ -72,6 +71,15 @@ pub fn render_text(diagnostic: &Diagnostic, sources: &SourceMap, style: Style) -
     let mut text = renderer.render(&groups).to_string();
     text.push('\n');
     text
+}
+
+/// What an edit says of itself: a short text is told, a longer one is seen in the excerpt.
+fn words(edit: &str) -> String {
+    match edit.trim() {
+        "" => "remove this".to_owned(),
+        own if own.contains(['\n', '\r']) || own.chars().count() > 40 => "write".to_owned(),
+        own => format!("write `{own}`"),
+    }
 }
 
 /// The text with a line feed for every CR that ends a line alone, byte for byte as long.

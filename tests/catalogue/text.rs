@@ -55,6 +55,14 @@ pub(crate) const ROWS: &[Row] = &[
         &["E0002"],
         &["x.sweep:1:6", "at byte 5"],
     ),
+    // edits without words of their own
+    row(
+        3,
+        Text("surface R = (u, v, ½)\nsurface S on [0, 2] * [0, 1] = (u, v, 0)"),
+        1,
+        &["E0002", "E0006"],
+        &["help: write `(1/2)`\n", "help: write `x`\n"],
+    ),
     // an angle in degrees
     row(
         3,
