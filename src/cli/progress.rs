@@ -16,6 +16,11 @@ pub(super) fn begin(name: &str) {
     LINE.set_message(name.to_owned());
 }
 
+/// The file, where one is worked on.
+pub(super) fn file() -> Option<String> {
+    Some(LINE.message()).filter(|own| !own.is_empty())
+}
+
 /// Some files are worked on.
 pub(super) fn begin_files(count: usize) {
     style("{elapsed} {pos} of {len} files");

@@ -1,13 +1,12 @@
-use std::collections::BTreeSet;
 use std::sync::mpsc::{Receiver, RecvTimeoutError};
 use std::time::{Duration, Instant};
 
-use crate::diag::Code;
+use crate::diag::{Code, Diagnostic};
 
 use super::interrupt::Interrupt;
 use super::progress;
+use super::refusal::Refusal;
 use super::status::Status;
-use super::streams::complain;
 use super::voice::Voice;
 
 /// How often memory and signals are looked at.
@@ -44,22 +43,29 @@ pub(super) fn watch(
         if !voice.is_quiet {
             progress::show(start.elapsed());
         }
-        let excess = if start.elapsed() >= most {
-            format!(
-                "more than {} seconds; `--max-seconds` raises the limit",
-                budget.seconds
-            )
+        let finding = if start.elapsed() >= most {
+            excess(&seconds(budget.seconds), "--max-seconds")
         } else if resident_mebibytes().is_some_and(|own| own > budget.mebibytes) {
-            format!(
-                "more than {} MiB of memory; `--max-memory` raises the limit",
-                budget.mebibytes
-            )
+            let memory = format!("{} MiB of memory", budget.mebibytes);
+            excess(&memory, "--max-memory")
         } else {
             continue;
         };
-        complain(&format!("error[{}]: this takes {excess}", Code::E0508));
-        voice.tell_hint(&BTreeSet::from([Code::E0508]));
-        return Some(Status::Limit);
+        return Some(Refusal::from(finding).complain(voice));
+    }
+}
+
+/// E0508; it names the file where the run has only one.
+fn excess(limit: &str, option: &str) -> Diagnostic {
+    let what = progress::file().map_or_else(|| "this run".to_owned(), |own| format!("`{own}`"));
+    let message = format!("{what} takes more than {limit}");
+    Diagnostic::global(Code::E0508, message).help(format!("`{option}` raises the limit"))
+}
+
+fn seconds(count: u64) -> String {
+    match count {
+        1 => "1 second".to_owned(),
+        _ => format!("{count} seconds"),
     }
 }
 

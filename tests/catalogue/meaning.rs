@@ -440,7 +440,10 @@ pub(crate) const ROWS: &[Row] = &[
         &["check", "x.sweep", "--max-seconds", "1"],
         4,
         &["E0508"],
-        &["more than 1 seconds", "`--max-seconds` raises the limit"],
+        &[
+            "error[E0508]: `x.sweep` takes more than 1 second\n",
+            "`--max-seconds` raises the limit",
+        ],
     ),
     run(
         65,

@@ -21,7 +21,6 @@ impl Run {
     pub(crate) fn codes(&self) -> Vec<&str> {
         let lines = self.err.lines();
         let codes = lines.filter_map(|line| {
-            let line = line.strip_prefix("sweepc: ").unwrap_or(line);
             let rest = line
                 .strip_prefix("error[")
                 .or_else(|| line.strip_prefix("warning["))?;
