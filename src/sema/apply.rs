@@ -42,12 +42,8 @@ impl<'a> Lowerer<'a> {
                     known => Ok(Some(known)),
                 }
             }
-            Some(Binding::InProgress) => {
-                let message = format!("`{}` is defined by itself", name.text);
-                let finding = self.finding(scope, Code::E0104, name.span, message);
-                Err(self.report(finding))
-            }
-            Some(Binding::Failed) => Err(Reported),
+            // a circle is reported where it is written
+            Some(Binding::InProgress | Binding::Failed) => Err(Reported),
             other => Ok(other),
         }
     }

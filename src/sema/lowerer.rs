@@ -7,13 +7,13 @@ use crate::number::{Real, Tower, Unit};
 use crate::sweep::{Scalar, SweptSurface};
 use crate::syntax::ast::{Declaration, Document, Expr, Item, Name, Role};
 
-use super::Program;
 use super::definition::{Definition, DefinitionForm, definition_of};
 use super::definitions::Definitions;
 use super::library::Library;
 use super::scope::{Function, Scope};
 use super::spelling;
 use super::value::Value;
+use super::{Program, circle};
 
 /// The names that the language keeps for properties, parameters and unit vectors.
 pub const RESERVED: [&str; 14] = [
@@ -453,15 +453,7 @@ impl<'a> Lowerer<'a> {
             .iter()
             .map(|own| own.text.as_str())
             .collect();
-        let message = match cycle.as_slice() {
-            [only] => format!("`{only}` is defined by itself"),
-            _ => format!(
-                "these definitions need each other: {} → {}",
-                cycle.join(" → "),
-                name.text
-            ),
-        };
-        let mut finding = self.finding(scope, Code::E0104, name.span, message);
+        let mut finding = self.finding(scope, Code::E0104, name.span, circle::message(&cycle));
         for own in &self.pending[start..] {
             finding = finding.related(own.span, format!("`{}` is defined here", own.text));
         }

@@ -7,6 +7,7 @@
 mod apply;
 mod bare;
 mod call;
+mod circle;
 mod constructor;
 mod curve;
 mod decimal_comma;

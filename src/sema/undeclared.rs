@@ -6,14 +6,15 @@ use crate::diag::Span;
 use crate::syntax::ast::{Expr, ExprKind, Name};
 
 use super::call::BUILT_IN;
+use super::circle::circle_behind_where;
 use super::definition::{Definition, DefinitionForm};
 use super::expectation::QUERIES;
 use super::lowerer::{Lowerer, is_reserved};
 use super::scope::{Binding, Frame, Scope};
 
 impl<'a> Lowerer<'a> {
-    /// Reports the names in constructions that stand for nothing, whatever is handed over, whether
-    /// or not the constructions are used.
+    /// Reports the names in constructions that stand for nothing, whatever is handed over, and those
+    /// that need each other, whether or not the constructions are used.
     pub(super) fn check_names_of_constructions(&mut self) {
         let definitions: Vec<Definition<'a>> = self.definitions.of_files().copied().collect();
         for definition in definitions {
@@ -37,6 +38,9 @@ impl<'a> Lowerer<'a> {
                     self.report_unknown(name, &scope);
                     self.undeclared.insert(name.span);
                 }
+            }
+            if let Some(finding) = circle_behind_where(bindings) {
+                self.report(finding);
             }
         }
     }
@@ -77,7 +81,7 @@ fn inside<'a>(
 }
 
 /// The names that an expression uses, those of properties and components left out.
-fn names(expr: &Expr) -> Vec<&Name> {
+pub(super) fn names(expr: &Expr) -> Vec<&Name> {
     let mut names = Vec::new();
     let mut open = vec![expr];
     while let Some(expr) = open.pop() {

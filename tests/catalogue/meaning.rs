@@ -321,6 +321,31 @@ pub(crate) const ROWS: &[Row] = &[
         &["E0104"],
         &["a → b → c → a"],
     ),
+    row(
+        43,
+        Text("construction foo(a,b) = a+v b where d = e, e = 2 d, f = d"),
+        1,
+        &["E0104"],
+        &["x.sweep:1:37\n", "d → e → d", "`e` is defined here"],
+    ),
+    row(
+        43,
+        Text(
+            "construction f(p) = q p(u) where q = 1 + q\nprofile p(u) in xy = (u, 1)\nsurface R = f(p)",
+        ),
+        1,
+        &["E0104"],
+        &["x.sweep:1:34\n", "`q` is defined by itself"],
+    ),
+    row(
+        43,
+        Text(
+            "construction f(p) = q + p(u) where q = r k, r = v\nprofile p(u) in xy = (u, 1)\nsurface R = f(p)",
+        ),
+        0,
+        &[],
+        &[],
+    ),
     // the parameters of a function
     row(
         40,
