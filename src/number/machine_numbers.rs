@@ -96,7 +96,7 @@ impl<'a> MachineNumbers<'a> {
         }
     }
 
-    /// All of them, in order. Where each takes an instruction or two, [`each_width`] is faster.
+    /// All of them, in order. Each is asked for its width; `each_width` asks once.
     #[inline]
     pub fn iter(self) -> impl DoubleEndedIterator<Item = i128> + ExactSizeIterator + use<'a> {
         (0..self.len()).map(move |index| self.at(index))

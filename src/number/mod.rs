@@ -19,6 +19,7 @@ mod leading;
 mod leading_word;
 mod machine_list;
 mod machine_numbers;
+mod machine_sums;
 mod modulus;
 mod operators;
 mod place;
