@@ -17,6 +17,7 @@ mod layout;
 mod mesh_obj;
 mod obj;
 mod opennurbs;
+mod outward;
 mod picture;
 mod ply;
 mod premultiplied_net;

@@ -14,6 +14,7 @@ mod meshes;
 #[path = "../nets/mod.rs"]
 mod nets;
 mod objects;
+mod outside;
 mod sides;
 mod surface;
 mod text;

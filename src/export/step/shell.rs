@@ -1,5 +1,6 @@
 use std::collections::HashMap;
 
+use crate::export::outward::turned;
 use crate::export::{Double, ExportFault, RoundedNet};
 use crate::net::{Edge, Face, Model, Shell, Side};
 
@@ -69,7 +70,7 @@ impl Writer<'_> {
     /// One shell; where its faces cannot be turned so that they agree along all edges, one for each
     /// face, since a shell has two sides and an edge of it at most two faces.
     fn shells(&mut self, nets: &[RoundedNet]) -> Result<Vec<Id>, ExportFault> {
-        let orientation = self.shell.orientation();
+        let orientation = turned(self.shell);
         let unflipped = vec![false; self.shell.faces.len()];
         let flipped = orientation.as_ref().unwrap_or(&unflipped);
         let mut faces = Vec::new();

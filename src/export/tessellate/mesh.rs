@@ -2,6 +2,7 @@ use std::collections::HashMap;
 use std::rc::Rc;
 
 use crate::diag::Code;
+use crate::export::outward::turned;
 use crate::export::{Context, Double, ExportFault, Precision};
 use crate::net::{Face, Model, Shell};
 use crate::number::{Integer, Real};
@@ -97,7 +98,7 @@ impl Mesh {
         for (shell, steps) in model.shells().iter().zip(plans) {
             let lattice = Lattice::of(shell, &steps, precision, &mut mesh.vertices);
             let lattice = lattice.ok_or_else(|| beyond(precision))?;
-            let flipped = shell.orientation().unwrap_or_default();
+            let flipped = turned(shell).unwrap_or_default();
             for (index, face) in shell.faces.iter().enumerate() {
                 let opposite = flipped.get(index).copied().unwrap_or_default();
                 let mut work = FaceWork {
