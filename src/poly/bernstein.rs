@@ -53,14 +53,6 @@ pub fn binomials(degree: usize) -> Vec<Integer> {
         }
         return row;
     }
-    if degree <= MACHINE {
-        let mut next = 1_u128;
-        for index in 0..=degree {
-            row.push(Integer::from(next));
-            next = next * (degree - index) as u128 / (index + 1) as u128;
-        }
-        return row;
-    }
     row.push(Integer::from(1));
     for index in 0..degree {
         let next = &row[index] * Integer::from(degree - index) / Integer::from(index + 1);
