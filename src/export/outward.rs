@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use crate::net::{Face, Shell};
 use crate::number::{Field, Integer, Rational, Ring};
-use crate::poly::{binomials, subdivide};
+use crate::poly::BernsteinGrid;
 
 use super::{Double, RoundedNet};
 
@@ -104,38 +104,32 @@ fn about(net: &Net, centre: &[Rational; 3]) -> Net {
         .collect()
 }
 
-/// Bernstein coefficients of a function on the unit square, i by i.
-type Grid = Vec<Vec<Rational>>;
-
 /// A part of a face: D = det(P, P_u, P_v), with the sign of the face, and W, by their Bernstein
 /// coefficients on it; and its share of the face.
 struct Cell {
-    determinant: Grid,
-    weight: Grid,
+    determinant: BernsteinGrid<Rational>,
+    weight: BernsteinGrid<Rational>,
     share: Rational,
 }
 
 impl Cell {
     fn of(net: &Net, turned: bool) -> Self {
-        let grid = |axis: usize| -> Grid {
+        let grid = |axis: usize| {
             let rows = net.iter();
-            rows.map(|row| row.iter().map(|own| own[axis].clone()).collect())
-                .collect()
+            let rows = rows.map(|row| row.iter().map(|own| own[axis].clone()).collect());
+            BernsteinGrid::new(rows.collect())
         };
         let point = [1, 2, 3].map(grid);
-        let along_u = point.each_ref().map(derivative);
-        let along_v = point
-            .each_ref()
-            .map(|own| transposed(&derivative(&transposed(own))));
+        let along_u = point.each_ref().map(BernsteinGrid::derivative_u);
+        let along_v = point.each_ref().map(BernsteinGrid::derivative_v);
         let [x, y, z] = [(0, 1, 2), (1, 2, 0), (2, 0, 1)].map(|(i, j, k)| {
-            let left = product(&along_u[j], &along_v[k]);
-            let right = product(&along_u[k], &along_v[j]);
+            let left = along_u[j].times(&along_v[k]);
+            let right = along_u[k].times(&along_v[j]);
             let (left, right) = if turned { (right, left) } else { (left, right) };
-            product(&point[i], &termwise(&left, &right, Rational::minus))
+            point[i].times(&left.minus(&right))
         });
-        let sum = termwise(&x, &y, Rational::plus);
         Self {
-            determinant: termwise(&sum, &z, Rational::plus),
+            determinant: x.plus(&y).plus(&z),
             weight: grid(0),
             share: Rational::one(),
         }
@@ -143,7 +137,8 @@ impl Cell {
 
     /// The four quarters.
     fn quarters(&self) -> Vec<Self> {
-        let [determinants, weights] = [&self.determinant, &self.weight].map(quarters);
+        let [determinants, weights] =
+            [&self.determinant, &self.weight].map(BernsteinGrid::quarters);
         let share = self.share.times(&Rational::new(1.into(), 4.into()));
         let pairs = determinants.into_iter().zip(weights);
         let cell = |(determinant, weight)| Self {
@@ -157,7 +152,7 @@ impl Cell {
     /// Bounds of ∫∫ D/W³: the mean of the coefficients is that of the function. None where a
     /// coefficient of W is not positive.
     fn bounds(&self) -> Option<[Rational; 2]> {
-        let all = || self.determinant.iter().flatten();
+        let all = || self.determinant.coefficients();
         let count = Rational::from(i64::try_from(all().count()).ok()?).inverse()?;
         let sum = |positive: bool| {
             let chosen = all().filter(|own| own.sign().is_gt() == positive);
@@ -165,7 +160,7 @@ impl Cell {
             sum.times(&count).times(&self.share)
         };
         let (above, below) = (sum(true), sum(false));
-        let weights = || self.weight.iter().flatten();
+        let weights = || self.weight.coefficients();
         let (least, greatest) = (weights().min()?, weights().max()?);
         if !least.sign().is_gt() {
             return None;
@@ -201,91 +196,4 @@ fn sign(cells: &[Cell]) -> Option<Ordering> {
         [_, Ordering::Less] => Some(Ordering::Less),
         _ => None,
     }
-}
-
-/// n (bᵢ₊₁ − bᵢ), of a constant 0
-fn derivative(own: &Grid) -> Grid {
-    let degree = own.len() - 1;
-    if degree == 0 {
-        return vec![vec![Rational::zero(); own[0].len()]];
-    }
-    let factor = Rational::from(i64::try_from(degree).unwrap_or_default());
-    let step = |pair: &[Vec<Rational>]| {
-        let numbers = pair[1].iter().zip(&pair[0]);
-        numbers
-            .map(|(next, own)| next.minus(own).times(&factor))
-            .collect()
-    };
-    own.windows(2).map(step).collect()
-}
-
-fn transposed(own: &Grid) -> Grid {
-    let columns = 0..own[0].len();
-    columns
-        .map(|j| own.iter().map(|row| row[j].clone()).collect())
-        .collect()
-}
-
-/// An operation on functions of one bidegree.
-fn termwise(left: &Grid, right: &Grid, operation: fn(&Rational, &Rational) -> Rational) -> Grid {
-    let rows = left.iter().zip(right);
-    let row = |(left, right): (&Vec<Rational>, &Vec<Rational>)| {
-        let numbers = left.iter().zip(right);
-        numbers
-            .map(|(left, right)| operation(left, right))
-            .collect()
-    };
-    rows.map(row).collect()
-}
-
-/// a b: the scaled coefficients C(n, i) C(m, j) bᵢⱼ of a product are the convolution of those of its
-/// factors.
-fn product(left: &Grid, right: &Grid) -> Grid {
-    let (left, right) = (scaled(left, false), scaled(right, false));
-    let (m, n) = (
-        left.len() + right.len() - 1,
-        left[0].len() + right[0].len() - 1,
-    );
-    let mut sums = vec![vec![Rational::zero(); n]; m];
-    for (i, row) in left.iter().enumerate() {
-        for (j, own) in row.iter().enumerate().filter(|(_, own)| !own.is_zero()) {
-            for (k, others) in right.iter().enumerate() {
-                for (l, other) in others.iter().enumerate() {
-                    sums[i + k][j + l] = sums[i + k][j + l].plus(&own.times(other));
-                }
-            }
-        }
-    }
-    scaled(&sums, true)
-}
-
-/// The coefficients times their binomial coefficients, or over them.
-fn scaled(own: &Grid, over: bool) -> Grid {
-    let (in_u, in_v) = (binomials(own.len() - 1), binomials(own[0].len() - 1));
-    let factor = |i: usize, j: usize| {
-        let own = &in_u[i] * &in_v[j];
-        if over {
-            Rational::new(1.into(), own)
-        } else {
-            Rational::from(own)
-        }
-    };
-    let rows = own.iter().enumerate();
-    rows.map(|(i, row)| {
-        let numbers = row.iter().enumerate();
-        numbers.map(|(j, own)| own.times(&factor(i, j))).collect()
-    })
-    .collect()
-}
-
-/// The coefficients on the four quarters of the square.
-fn quarters(own: &Grid) -> Vec<Grid> {
-    let half = Rational::new(1.into(), 2.into());
-    let halves = |own: &Grid| -> [Grid; 2] {
-        let (left, right) = own.iter().map(|row| subdivide(row, &half)).unzip();
-        [left, right]
-    };
-    let along_v = halves(own);
-    let quarters = along_v.iter().flat_map(|own| halves(&transposed(own)));
-    quarters.map(|own| transposed(&own)).collect()
 }

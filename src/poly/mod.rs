@@ -3,6 +3,7 @@
 
 mod algebraic;
 mod bernstein;
+mod bernstein_grid;
 mod bi;
 mod bidegree;
 mod bigcd;
@@ -38,6 +39,7 @@ mod zero_set;
 pub use bernstein::{
     bernstein, binomial, binomials, de_casteljau, from_bernstein, scaled_bernstein, subdivide,
 };
+pub use bernstein_grid::BernsteinGrid;
 pub use bi::BiPoly;
 pub use bidegree::BiDegree;
 pub use bigcd::{exact_div_bi, gcd_bi};
